@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Arg, Args};
 use lcplab::diagnosis::unsupported::{
     Examination, UserSolver, examine_scene, examine_sequence, main_solve, user_solver,
 };
@@ -29,6 +29,7 @@ use super::{Outcome, bar, print, read_problem};
 /// Explain why bodies sink, why a problem has no solution or several, or which mistake produced an
 /// answer
 #[derive(Debug, Args)]
+#[command(mut_arg("format", without_answer), mut_arg("out", without_answer))]
 #[command(after_help = "\
 Examples:
   lcplab diagnose mass_ratio3 --solver pgs --sweeps 10   # why do the boxes sink, and what helps?
@@ -46,7 +47,8 @@ INPUT is read as a problem if it is \"-\" or a file with an extension that `conv
 sequence of problems if it is a folder of such files; otherwise as a scene.
 
 For each input lcplab reports rank, condition number and degrees of freedom, and lists zero rows, dependent \
-rows, contradictory rows, constraints whose direction is undefined (such as a rod of length 0), drift, overlap, and sign errors in A.
+rows, contradictory rows, constraints whose direction is undefined (such as a rod of length 0), drift, overlap, and sign errors in A. \
+Problems of more than 2,000 rows are not examined.
 
 lcplab simulates a scene twice, with its solver and with an exact solver, and measures the unsupported weight. \
 Each simulation lasts one second, or as long as the scene file states if that is shorter. lcplab removes each possible cause in turn to see whether that helps, and tries remedies. If the \
@@ -84,13 +86,13 @@ pub struct Diagnose {
     /// List the known mistakes: what each computes, and what to check
     #[arg(long, conflicts_with_all = ["input", "solver", "max_iterations", "step", "format", "out", "plugin", "set"])]
     mistakes: bool,
-    /// Examine the scene at the beginning of this step, counted from 1 [default: 1]
+    /// Examine the scene at the beginning of this step, counted from 1, without ANSWER [default: 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     step: Option<u64>,
     /// Solver to examine [default: the scene's; for a problem none]
     #[arg(long)]
     solver: Option<String>,
-    /// Maximum number of sweeps or pivots in a solve [default: the scene's]
+    /// Maximum number of sweeps or pivots in a solve [default: the scene's; for problems 10000]
     #[arg(long, visible_alias = "sweeps")]
     max_iterations: Option<usize>,
     #[command(flatten)]
@@ -102,6 +104,12 @@ pub struct Diagnose {
     json: bool,
     #[command(flatten)]
     writing: Writing,
+}
+
+/// An option whose help says that it does not apply with ANSWER.
+fn without_answer(option: Arg) -> Arg {
+    let help = option.get_help().map(ToString::to_string).unwrap_or_default();
+    option.help(help.replacen(" [default:", ", without ANSWER [default:", 1))
 }
 
 impl Diagnose {

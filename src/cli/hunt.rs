@@ -11,13 +11,14 @@ use lcplab::solver::{Method, Options, Registry, Settings, Solver, Stop};
 
 use super::limits::Limits;
 use super::options::model_names;
-use super::plugin::Plugins;
+use super::plugin::{Plugins, repeatable};
 use super::search::{HuntOptions, SearchArgs};
 use super::{Outcome, bar, print, say};
 
 /// Search for false claims of solvers on difficult random problems, or for the smallest problem on
 /// which a solver fails
 #[derive(Debug, Args)]
+#[command(mut_arg("plugin", repeatable))]
 #[command(after_help = "\
 Examples:
   lcplab hunt --problems 100000 --seed 1

@@ -15,7 +15,7 @@ use super::{Outcome, bar, browser, print};
 use crate::around::ALL as AROUND;
 use crate::lessons::ALL;
 
-/// Write a lesson as a page, with the outputs of its cells
+/// Write a lesson as a page, with its code and the output of the code
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -2,7 +2,7 @@
 
 use lcplab::diagnosis::{Conclusion, Mistake, MistakeKind, MistakeSearch, Precision};
 use lcplab::lcp::file::number;
-use lcplab::number::{counted, readable};
+use lcplab::number::{count, counted, readable};
 use serde_json::{Value, json};
 
 /// Scaled residuals below this are compared with those of single precision.
@@ -70,7 +70,11 @@ fn found(search: &MistakeSearch) -> String {
         [] => return none_found(search.redundant_rows),
         [only] => {
             let gives = if may_be_chance { "may have given" } else { "gives" };
-            format!("A known mistake {gives} this x, {}: {}.\n", agrees(only), only.what)
+            let this_x = match only.distance {
+                0.0 => "exactly this x".to_string(),
+                _ => format!("this x, {}", agrees(only)),
+            };
+            format!("A known mistake {gives} {this_x}: {}.\n", only.what)
         }
         all => {
             let line = |mistake: &Mistake| format!("  {} ({})\n", mistake.what, agrees(mistake));
@@ -93,10 +97,10 @@ fn found(search: &MistakeSearch) -> String {
 fn none_found(redundant_rows: usize) -> String {
     match redundant_rows {
         0 => "No known mistake was found that gives this x.\n".into(),
-        count => format!(
+        rows => format!(
             "No known mistake was found that gives this x. The problem has {}, so forces need not be \
              unique: a solver with a mistake may return other forces than those that lcplab compared.\n",
-            counted(count, "redundant row")
+            counted(rows, "redundant row")
         ),
     }
 }
@@ -126,7 +130,8 @@ fn limits(search: &MistakeSearch) -> String {
     format!(
         "lcplab compared x with the first {} iterates of each method, and with the first {} on each problem changed \
          by a known mistake; `lcplab diagnose --mistakes` lists them.\n",
-        search.limits.of_problem, search.limits.of_changed
+        count(search.limits.of_problem),
+        count(search.limits.of_changed)
     )
 }
 

@@ -5,8 +5,8 @@
 //! misleading. If several solvers run, it applies to those that use it, and a note names them if
 //! they are not all.
 
-use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Arg, Args};
 use lcplab::error::{Defects, Error, Result};
 use lcplab::judge::Demand;
 use lcplab::lcp::friction::Model;
@@ -35,20 +35,26 @@ pub struct SolverArgs {
 /// Options that only some solvers use; one that no solver of the command uses is an error.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct Choices {
-    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: 1.3; for a scene, the
-    /// scene's]
+    /// Relaxation factor of sor and ssor, above 0 and below 2 [default: 1.3]
     #[arg(long, allow_negative_numbers = true)]
     pub omega: Option<f64>,
-    /// Order of the rows in a sweep of pgs and sor [default: natural; for a scene, the scene's]
+    /// Order of the rows in a sweep of pgs and sor [default: natural]
     #[arg(long, value_parser = row_order())]
     pub order: Option<RowOrder>,
-    /// Seed of --order shuffled [default: 1; for a scene, the scene's]
+    /// Seed of --order shuffled [default: 1]
     #[arg(long)]
     pub seed: Option<u64>,
     /// Damping factor of jacobi, above 0 and below 2 [default: a value for which jacobi converges
     /// for every semidefinite A]
     #[arg(long, allow_negative_numbers = true)]
     pub damping: Option<f64>,
+}
+
+/// An option with another default in its help: in some commands the default is another one.
+pub fn with_default(option: Arg, default: &str) -> Arg {
+    let help = option.get_help().map(ToString::to_string).unwrap_or_default();
+    let text = help.split(" [default:").next().unwrap_or_default();
+    option.help(format!("{text} [default: {default}]"))
 }
 
 /// The orders of rows that can be chosen; symmetric and colored sweeps are separate solvers.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use clap::Args;
+use clap::{Arg, Args};
 use lcplab::error::{Error, Result};
 use lcplab::plugin::{Declaration, Plugin};
 use lcplab::report::methods::with_reference;
@@ -14,8 +14,7 @@ use super::say;
 #[derive(Debug, Args)]
 pub struct Plugins {
     /// Run this command as a solver; the command reads problems and writes answers (see
-    /// docs/plugins.md). The solver is named after its file; NAME=COMMAND sets another name.
-    /// Repeatable in commands that run several solvers
+    /// docs/plugins.md). The solver is named after its file; NAME=COMMAND sets another name
     #[arg(long, value_name = "COMMAND")]
     plugin: Vec<String>,
     /// Time limit for each answer of a plug-in
@@ -51,6 +50,12 @@ impl Plugins {
             }
         }
     }
+}
+
+/// The option `--plugin` of a command that runs several solvers.
+pub fn repeatable(option: Arg) -> Arg {
+    let help = option.get_help().map(ToString::to_string).unwrap_or_default();
+    option.help(format!("{help} (repeatable)"))
 }
 
 /// These plug-ins, and a registry of all solvers and them.

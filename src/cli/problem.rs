@@ -8,8 +8,8 @@ use lcplab::judge::{Certificate, Demand, Verdict};
 use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::friction::Model;
-use lcplab::number::{counted, readable};
-use lcplab::report::answer::{Answer, attempts_text, certificate_text};
+use lcplab::number::counted;
+use lcplab::report::answer::{Answer, attempts_text, cell, certificate_text};
 use lcplab::report::friction::model;
 use lcplab::report::loads::Loads;
 use lcplab::report::methods;
@@ -232,14 +232,14 @@ pub fn rows(problem: &Problem, x: &[f64], certificate: &Certificate) -> String {
         shown.sort_by(|&i, &j| residuals[j].total_cmp(&residuals[i]));
         shown.truncate(PRINTED_ROWS);
     }
-    let of = |value| readable(value, 7);
+    let of = |value| cell(value, 7);
     let mut text = format!(
         "{:>5} {:>15} {:>15} {:>15} {:>15} {:>10}\n",
         "row", "lo", "x", "hi", "w", "residual"
     );
     for &i in &shown {
         let ((lo, hi), w) = (lcp.bounds(i, x), certificate.w[i]);
-        let residual = readable(residuals[i], 2);
+        let residual = cell(residuals[i], 2);
         let label = problem.extra.get("rows").and_then(|rows| rows.get(i)?.get("label")?.as_str());
         text += &format!(
             "{i:>5} {:>15} {:>15} {:>15} {:>15} {residual:>10}{}\n",

@@ -33,16 +33,17 @@ test, 0.5 %; two runs of equal length need at least 5 errors each). Errors below
 as worse.
 
 Exit codes:
-  0  the run is ok, or the baseline was written. A run is ok if the baseline lists all rejected frames as rejected, the solver \
-was checked in at least one frame (without a baseline, in at least half of the frames with rows), no frame and no check \
-of the baseline is missing, and the run is not worse
+  0  the run is ok, or the baseline was written. A run is ok if the baseline lists all rejected frames as rejected, at least \
+one frame (without a baseline: at least half of the frames with rows) has the verdict ok or wrong, no frame and no \
+check of the baseline is missing, and the run is not worse
   1  the run is not ok
   2  invalid input or usage, such as a frame without an answer or a negative compliance")]
 pub struct Receipts {
     /// Problem files with the key "motion", or folders of them
     #[arg(required = true)]
     frames: Vec<PathBuf>,
-    /// Largest accepted motion error, or residual where there is none; docs/ci.md defines both
+    /// Largest accepted motion error, or residual if the frame has no motion error; docs/ci.md
+    /// defines both
     /// [default: that of the engine's kind of solver]
     #[arg(long, allow_negative_numbers = true)]
     limit: Option<f64>,

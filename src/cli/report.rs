@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::lesson::Program;
+use lcplab::lesson::{Program, unicode};
 use lcplab::number::plain;
+use lcplab::page::Table;
 use lcplab::report::difference::Tolerance;
 use lcplab::report::experiment::{self, Experiment, SHIPPED};
 use lcplab::report::kind::KINDS;
@@ -41,7 +42,7 @@ Examples:
   lcplab report                        # writes reports/standard/index.html
   lcplab report --list                 # the shipped reports, and what a report file can contain
   lcplab report verification --list    # all closed forms, on the terminal
-  lcplab report chapter                # the chapter with everything computed
+  lcplab report chapter                # the chapter with all its examples computed
   lcplab report solvers --out solvers.pdf
   lcplab report --print standard > mine.toml; lcplab report mine.toml --out mine
   lcplab report mine/results.json      # draws the page again without solving
@@ -54,7 +55,7 @@ results.json grows while the report runs: a run that was stopped continues from 
 Results are identical for any number of threads.
 
 Your own problem files: `diagnose FOLDER` explains what a solver leaves unsolved, `compare FILES` compares \
-solvers on them, and a report file with the studies `frames` and `profiles` shows both on a page.
+solvers on them, and a report file with the studies `solved` and `profiles` shows both on a page.
 
 Exit codes:
   0  every section passes
@@ -238,7 +239,8 @@ impl Report {
         }
         let outcome = if results.is_good()? { Outcome::Good } else { Outcome::Refuted };
         if self.list {
-            let printed = |table| print(&(terminal::table_within(table, WIDTH) + "\n"));
+            let printed =
+                |table| print(&(terminal::table_within(&for_terminal(table), WIDTH) + "\n"));
             document.tables.iter().try_for_each(|(_, table)| printed(table))?;
             print(&summary(results)?)?;
             return Ok((outcome, None));
@@ -262,6 +264,17 @@ impl Report {
         print(&format!("{}\n", path.display()))?;
         Ok((Outcome::Good, Some(path)))
     }
+}
+
+/// A table of a page with its formulas in Unicode.
+fn for_terminal(table: &Table) -> Table {
+    let mut table = table.clone();
+    let columns = table.columns.iter_mut().flat_map(|own| [&mut own.title, &mut own.unit]);
+    let cells = table.rows.iter_mut().flatten().map(|cell| &mut cell.text);
+    for text in [&mut table.title, &mut table.how_to_read].into_iter().chain(columns).chain(cells) {
+        *text = unicode(text);
+    }
+    table
 }
 
 /// The text that `--print` shows.
@@ -301,7 +314,10 @@ fn list() -> Result<Outcome> {
     for (name, _) in SHIPPED {
         text += &format!("  {name:<17} {}\n", Experiment::load(name)?.title);
     }
-    text += &format!("  {:<17} {}\n\nstudies\n", HANDOUT.name, "the chapter, everything computed");
+    text += &format!(
+        "  {:<17} {}\n\nstudies\n",
+        HANDOUT.name, "the chapter, with all its examples computed"
+    );
     for kind in KINDS {
         text += &format!("  {:<17} {}\n", kind.name, kind.title);
     }

@@ -27,7 +27,7 @@ pub struct SearchArgs {
     #[arg(long, num_args = 1..=2, value_names = ["MEASURE", "A:B"])]
     measure: Vec<String>,
     /// Number of rows
-    #[arg(long, value_name = "LEAST..MOST", default_value = "1..6", value_parser = rows, requires = "measure")]
+    #[arg(long, value_name = "MIN..MAX", default_value = "1..6", value_parser = rows, requires = "measure")]
     n: RangeInclusive<usize>,
     /// Class of the matrix, decided in exact arithmetic [default: definite; with --from the
     /// narrowest class of the given problems]
@@ -44,7 +44,8 @@ pub struct SearchArgs {
     /// Number of problems to try before the worst one is shrunk
     #[arg(long, default_value_t = 20_000, requires = "measure")]
     evaluations: usize,
-    /// Stop searching when the measure reaches this value [default: no limit]
+    /// Stop searching when the measure reaches this value [default: false-claim and failure stop at
+    /// the first problem found; the other measures have no limit]
     #[arg(long, value_name = "VALUE", requires = "measure")]
     at_least: Option<f64>,
     /// Relaxation factor of sor and ssor [default: 1.3; with --measure ratio, the best of 25 values

@@ -16,12 +16,13 @@ use lcplab::report::study::regression::{Factors, Finding, Run};
 use serde_json::json;
 
 use super::limits::Limits;
-use super::plugin::Plugins;
+use super::plugin::{Plugins, repeatable};
 use super::{Outcome, bar, baseline_text, print, say, warn};
 use crate::cli::options::SolverArgs;
 
 /// Test your solver on problems, and compare with a recorded run
 #[derive(Debug, Args)]
+#[command(mut_arg("plugin", repeatable))]
 #[command(after_help = "\
 Examples:
   lcplab test dumps --plugin \"python3 mine.py\"

@@ -19,7 +19,7 @@ const SYMBOLS: [(&str, &str); 28] = [
     ("beta", "β"),
     ("gamma", "γ"),
     ("delta", "δ"),
-    ("Delta", "Δ"),
+    ("varepsilon", "ε"),
     ("zeta", "ζ"),
     ("theta", "θ"),
     ("lambda", "λ"),
@@ -125,6 +125,10 @@ fn command<'a>(rest: &'a str, out: &mut String) -> &'a str {
             *out += &formula(letter);
             out.extend(mark.iter().filter(|own| own.0 == name).map(|own| own.1));
             after
+        }
+        "Delta" => {
+            out.push('Δ');
+            after.trim_start()
         }
         name => {
             let known = SYMBOLS.iter().find(|own| own.0 == name);

@@ -10,7 +10,7 @@ use lcplab_judge::{
 };
 use lcplab_lcp::file::{Problem, number};
 use lcplab_lcp::{Lcp, Question};
-use lcplab_page::number::{counted, readable};
+use lcplab_page::number::{counted, plain, readable};
 use lcplab_solver::{Attempt, Options, Reason, Solution, Status, solve_by_sequence};
 
 /// Maximum number of entries of an exact vector that are printed.
@@ -267,10 +267,15 @@ pub(crate) fn rounding_text(rounded_by: Option<f64>) -> String {
     let line = |by| {
         format!(
             "  rounding         {:>10}  distance of x from the accepted point, a rounding error\n",
-            upper_bound(by)
+            plain(&upper_bound(by))
         )
     };
     rounded_by.map(line).unwrap_or_default()
+}
+
+/// A number in a column of a terminal: its powers of ten are as wide as they are printed.
+pub fn cell(value: f64, digits: usize) -> String {
+    plain(&readable(value, digits))
 }
 
 /// The residuals and the verdict as lines of text, and the [`bound`] on the error of x if there is
@@ -280,6 +285,9 @@ pub fn certificate_text(
     error_bound: Option<f64>,
     problem: &Problem,
 ) -> String {
+    // The gap is negative only if x is outside its bounds, by less than the tolerance; NaN stays.
+    let gap = certificate.duality_gap;
+    let duality_gap = if gap < 0.0 { 0.0 } else { gap };
     let lines = [
         (
             "scaled residual",
@@ -299,7 +307,7 @@ pub fn certificate_text(
         ),
         (
             "duality gap",
-            certificate.duality_gap,
+            duality_gap,
             "bound on the error of the objective, up to the tolerance; – if there is none",
         ),
     ];
@@ -309,13 +317,13 @@ pub fn certificate_text(
     };
     let mut text = format!("verdict    {verdict}\n");
     for (name, value, meaning) in lines {
-        let shown = if value.is_nan() { "–".into() } else { readable(value, 3) };
+        let shown = if value.is_nan() { "–".into() } else { cell(value, 3) };
         text += &format!("  {name:<17}{shown:>10}  {meaning}\n");
     }
     if certificate.scale > 0.0 {
         text += &format!(
             "  scale            {:>10}  residuals are relative to at least this |x|\n",
-            readable(certificate.scale, 3)
+            cell(certificate.scale, 3)
         );
     }
     text += &rounding_text(certificate.rounded_by);
@@ -324,7 +332,8 @@ pub fn certificate_text(
     let evidence = evidence.map(|evidence| evidence_text(evidence, error_bound.is_some()));
     text += &evidence.unwrap_or_default();
     let bound_line = |bound| {
-        format!("  error bound      {:>10}  no entry of x has a larger error\n", upper_bound(bound))
+        let bound = plain(&upper_bound(bound));
+        format!("  error bound      {bound:>10}  no entry of x has a larger error\n")
     };
     text + &error_bound.map(bound_line).unwrap_or_default()
 }

@@ -4,14 +4,14 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use super::answer::{
-    claim, evidence_text, impossible, json_object, proof_of_denial, rounding_json, rounding_text,
+    cell, claim, evidence_text, impossible, json_object, proof_of_denial, rounding_json,
+    rounding_text,
 };
 use super::trial::Trial;
 use lcplab_judge::{Demand, FrictionCertificate, Refutation, judge_cone, judge_friction};
 use lcplab_lcp::file::{Problem, number};
 use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, Model, ProblemForm};
 use lcplab_lcp::merit::RowTerms;
-use lcplab_lcp::number::readable;
 use lcplab_lcp::{Lcp, Question};
 use lcplab_solver::{
     Method, Observer, Options, Reason, Registry, SequenceAnswer, Solution, Status,
@@ -220,8 +220,8 @@ impl JudgedAnswer {
         let mut text = format!(
             "verdict    {verdict}\n  scaled residual   {:>10}  under this model\n  \
              coulomb residual  {:>10}  of the same x under Coulomb's law\n",
-            readable(*scaled_residual, 3),
-            readable(self.coulomb_residual, 3)
+            cell(*scaled_residual, 3),
+            cell(self.coulomb_residual, 3)
         );
         text += &rounding_text(self.certificate.rounded_by);
         let evidence = self.certificate.evidence.as_ref();
@@ -233,13 +233,13 @@ impl JudgedAnswer {
         for (k, contact) in self.contacts.iter().enumerate().take(PRINTED) {
             let ([x_n, x1, x2], [w_n, w1, w2]) = (contact.impulse, contact.velocity);
             let optional =
-                |value: Option<f64>| value.map_or("–".to_string(), |value| readable(value, 3));
+                |value: Option<f64>| value.map_or("–".to_string(), |value| cell(value, 3));
             text += &format!(
                 "{k:>7} {:>14} {:>14} {:>14} {:>14} {:>10} {:>14}\n",
-                readable(x_n, 6),
-                readable(x1.hypot(x2), 6),
-                readable(w_n, 6),
-                readable(w1.hypot(w2), 6),
+                cell(x_n, 6),
+                cell(x1.hypot(x2), 6),
+                cell(w_n, 6),
+                cell(w1.hypot(w2), 6),
                 optional(contact.strength),
                 optional(contact.misalignment)
             );

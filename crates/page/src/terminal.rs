@@ -94,7 +94,7 @@ fn row(table: &Table, width: usize) -> impl Fn(&Vec<Cell>) -> String {
         let others = table.columns.iter().zip(row).skip(leading);
         let stated = others.filter(|(_, cell)| !matches!(cell.text.as_str(), "" | "–"));
         let numbers: Vec<String> =
-            stated.map(|(column, cell)| format!("{} {}", heading(column), text(cell))).collect();
+            stated.map(|(column, cell)| format!("{}: {}", heading(column), text(cell))).collect();
         let parts = [words.join(", "), numbers.join("; ")];
         let indented = |(part, margin): (&String, usize)| -> String {
             let lines = wrapped(part, width - margin);

@@ -334,7 +334,10 @@ impl fmt::Display for Status {
             Status::ZeroDiagonal { row } => write!(f, "the diagonal of row {row} is not positive"),
             Status::Singular { row } => write!(f, "singular at row {row}"),
             Status::Ray { row, .. } => {
-                write!(f, "ended on a ray: row {row} is not satisfied, which alone proves nothing")
+                write!(
+                    f,
+                    "ended on a ray: row {row} is not satisfied (this is not a proof that no solution exists)"
+                )
             }
             Status::NoSolution => {
                 write!(f, "all active sets were tried, and none gives a solution")

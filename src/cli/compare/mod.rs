@@ -15,8 +15,8 @@ use lcplab::scene::catalogue;
 
 use super::Outcome;
 use super::limits::Limits;
-use super::options::model_names;
-use super::plugin::Plugins;
+use super::options::{model_names, with_default};
+use super::plugin::{Plugins, repeatable};
 use super::scene::{SolveArgs, StepArgs};
 use problems::ProblemArgs;
 use scene::MotionArgs;
@@ -26,6 +26,14 @@ const FAMILY: &str = "family:";
 
 /// Compare solvers on every step of a scene, or on problems; the judge checks every answer
 #[derive(Debug, Args)]
+#[command(
+    mut_arg("plugin", repeatable),
+    mut_arg("tolerance", |option| with_default(option, "the scene's; for problems 1e-8")),
+    mut_arg("max_iterations", |option| with_default(option, "the scene's; for problems 10000")),
+    mut_arg("omega", |option| with_default(option, "the scene's; for problems 1.3")),
+    mut_arg("order", |option| with_default(option, "the scene's; for problems natural")),
+    mut_arg("seed", |option| with_default(option, "the scene's; for problems 1"))
+)]
 #[command(after_help = "\
 Examples:
   lcplab compare stack --steps 20 --out stack-report

@@ -19,7 +19,7 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Method, Registry};
 
 use super::limits::MemoryLimit;
-use super::options::{Choices, SolverArgs, model_names};
+use super::options::{Choices, SolverArgs, model_names, with_default};
 use super::plugin::Plugins;
 
 /// A scene, and what to change in it.
@@ -64,6 +64,11 @@ impl StepArgs {
 
 /// How each problem is solved.
 #[derive(Debug, Args)]
+#[command(
+    mut_arg("omega", |option| with_default(option, "the scene's")),
+    mut_arg("order", |option| with_default(option, "the scene's")),
+    mut_arg("seed", |option| with_default(option, "the scene's"))
+)]
 pub struct SolveArgs {
     /// Largest scaled residual of an accepted answer [default: the scene's]
     #[arg(long, allow_negative_numbers = true)]

@@ -143,7 +143,7 @@ impl Record {
         let model = self.scene.contact.model;
         let pair = |bodies: [usize; 2]| {
             let [body, other] = bodies.map(|body| &self.scene.bodies[body].name);
-            format!(", between {body:?} and {other:?}")
+            format!("Between {body:?} and {other:?}, friction of the model {model}")
         };
         let is_cone = matches!(model.form(), Form::Cone(_));
         let degrees = |slip: &Slip| slip.angle.unwrap_or(0.0).to_degrees();
@@ -156,34 +156,42 @@ impl Record {
         let excess = self.slips.cone_excess.filter(|slip| 100.0 * slip.excess > MUCH);
         let excess = excess.map(|slip| {
             let percent = 100.0 * slip.excess;
-            (slip.bodies, format!("exceeded Coulomb's limit by at least {percent:.0} %"))
+            (slip.bodies, format!("was up to {percent:.0} % above Coulomb's limit"))
         });
         let mut says: Vec<String> = match (angle, excess) {
             (Some((bodies, angle)), Some((same, excess))) if bodies == same => {
-                vec![format!("{angle} and {excess}{}", pair(bodies))]
+                vec![format!("{} {angle} and {excess}", pair(bodies))]
             }
             (angle, excess) => {
                 let own = angle.into_iter().chain(excess);
-                own.map(|(bodies, what)| what + &pair(bodies)).collect()
+                own.map(|(bodies, what)| format!("{} {what}", pair(bodies))).collect()
             }
         };
-        says.extend(self.slips.speed_error(&self.scene).map(|(body, error)| {
+        let total = self.slips.speed_error(&self.scene).map(|(body, error)| {
+            let subject = match says.is_empty() {
+                true => format!("The total difference of the model {model} from Coulomb's law"),
+                false => "The total difference from Coulomb's law".into(),
+            };
             format!(
-                "differed from Coulomb's law by a total impulse of about {} m/s times the mass of {:?}",
+                "{subject} is an impulse of about {} m/s times the mass of {:?}",
                 readable(error, 2),
                 self.scene.bodies[body].name
             )
-        }));
-        says.extend(self.slips.notable_creep(&self.scene).map(|creep| {
+        });
+        says.extend(total);
+        let creep = self.slips.notable_creep(&self.scene).map(|creep| {
             let [body, other] = creep.bodies.map(|body| &self.scene.bodies[body].name);
+            let model =
+                if says.is_empty() { format!("Under the model {model}, ") } else { String::new() };
             format!(
-                "let {body:?} creep by {} m on {other:?}, at less than {} m/s, with {:.0} % of the force \
+                "{model}{body:?} crept by {} m on {other:?}, at less than {} m/s, with {:.0} % of the friction force \
                  that Coulomb's law demands of a contact that slips",
                 readable(creep.path.norm(), 2),
                 readable(self.scene.resting().speed, 2),
                 100.0 * creep.strength().max(0.0)
             )
-        }));
+        });
+        says.extend(creep);
         let separation = match model.form() {
             Form::Cone(Law::Associated) => self.slips.notable_separation(&self.scene),
             _ => None,
@@ -199,17 +207,17 @@ impl Record {
         if says.is_empty() {
             return None;
         }
-        let how = says.join("; it ");
         let scheme = self.scene.step.scheme;
         let remedy = match model.form() {
             _ if !scheme.poses_friction() => {
-                "the scheme velocity with the model coulomb-cone satisfies Coulomb's law"
+                "The scheme velocity with the model coulomb-cone satisfies Coulomb's law"
             }
-            Form::Polygon { .. } => "more directions, or the model coulomb-cone, are more accurate",
-            Form::Cone(_) => "reduce solver.tolerance or raise solver.max_iterations",
-            Form::Box => "the model coulomb-cone has the correct strength and direction",
+            Form::Polygon { .. } => "More directions, or the model coulomb-cone, are more accurate",
+            Form::Cone(_) => "Reduce solver.tolerance or raise solver.max_iterations",
+            Form::Box => "The model coulomb-cone has the correct strength and direction",
         };
-        Some(format!("friction of the model {model} {how}; {remedy}"))
+        says.push(remedy.into());
+        Some(says.join(". ") + ".")
     }
 
     /// The motion of bodies that the forces at the start keep at rest.

@@ -178,14 +178,19 @@ impl Figure {
     }
 }
 
+/// The angle between two directions in which the block is pushed (degrees).
+pub const PUSH_ANGLE: f64 = 5.0;
+
 /// Pushes the block, and drops the rod.
 ///
 /// # Errors
 /// If there is no problem with this μ, or the push is not finite.
 pub fn run(mu: f64, push: f64) -> Result<Finding> {
     let settings = Settings::default().with_tolerance(1e-10);
-    let pushes: Vec<(Model, f64)> =
-        Model::ALL.iter().flat_map(|&m| (0..=18).map(move |k| (m, f64::from(5 * k)))).collect();
+    let pushes: Vec<(Model, f64)> = Model::ALL
+        .iter()
+        .flat_map(|&m| (0..=18).map(move |k| (m, PUSH_ANGLE * f64::from(k))))
+        .collect();
     let slides = pushes.par_iter().map(|&(model, degrees)| {
         let answer = compare(&block(mu, push, degrees)?, &[model], &settings)?.remove(0);
         Ok(Slide { degrees, answer, expected: expected(model, mu, push, degrees) })

@@ -76,7 +76,7 @@ impl View for Plan {
         let all = checks().count();
         let apart = significant(apart, 2);
         let says = format!(
-            "the judge accepts {accepted} of {all} answers of lcplab and {confirmed} of {all} of clarabel; their velocities \
+            "The judge accepts {accepted} of {all} answers of lcplab and {confirmed} of {all} of clarabel; their velocities \
              differ by at most {apart} m/s"
         );
         Outcome { good: accepted == all && confirmed == all, says }
@@ -89,7 +89,8 @@ fn table(checks: &[CrossCheck]) -> Table {
         "Largest difference of any entry. *not unique*: several x are solutions, so x − x_QP is not an error. *verdict*: \
          an answer is *within tolerance*, but not *proved*, if lcplab finds no exact solution near it, as can happen if rows are \
          redundant only up to rounding. *u − û at most*: a proved bound on the error of lcplab's motion, from duality and interval arithmetic. With friction, the bound holds for the problem \
-         whose friction limits are fixed at those of lcplab's x, not for the coupled problem.",
+         whose friction limits are fixed at those of lcplab's x, not for the coupled problem. x, w and u as units: the unit \
+         of that quantity, N s, m/s and m/s (at acceleration level N, m/s² and m/s²; for rotations N m s, rad/s and so on).",
         "scene | problem | #step | #rows | #free | #rank | x | #x − x_QP (x) | #w − w_QP (w) | \
          #u − u_Gauss (u) | #u − û at most (u) | verdict | verdict on QP",
         checks.iter().map(cells).collect(),

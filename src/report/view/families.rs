@@ -9,15 +9,19 @@ const SECONDARY: [&str; 4] = ["outside", "multiplications per problem", "iterate
 
 /// One row per family, friction model and solver.
 pub fn table(rows: &[Row]) -> Table {
+    let must_fail = rows.iter().any(|row| row.known_failure.is_some());
+    let must_fail = if must_fail { " *must fail*: a failure that theory predicts." } else { "" };
     let mut table = Table::new(
-        "Problem families and solvers",
+        "Problems and solvers",
         "*friction*: the friction model for solving and judging. *outside*: the solver reports that the \
              problem is outside its class. *claims*: the solver's own; *proved* and *accepted*: the judge's \
              verdicts; *rejected* and *false* claims must be 0. *worst residual*: over the claimed answers; – \
              if there are none. *multiplications per problem*: by the formula of the method; – if unknown. \
              *iterates*: a hash of their sequence; – if none were reported. *fallback*: other methods that \
-             contributed, and how often. *must fail*: a failure that theory predicts.",
-        "family | friction | solver | #problems | #outside | #claims | #proved | #accepted | \
+             contributed, and how often."
+            .to_string()
+            + must_fail,
+        "family or file | friction | solver | #problems | #outside | #claims | #proved | #accepted | \
          #rejected | #false | #iterations per problem | #multiplications per problem | \
          #worst residual | #time (ms) | iterates | fallback | reason",
         rows.iter().map(cells).collect(),

@@ -6,7 +6,7 @@ use crate::plot::{Axis, Lines, Series};
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::friction::{Answer, Model};
 use crate::report::study::slider::Path;
-use crate::report::study::sliding::{Figure, Finding, Plan, SHOWN, Slide};
+use crate::report::study::sliding::{Figure, Finding, PUSH_ANGLE, Plan, SHOWN, Slide};
 
 /// The allowed difference between measured and expected numbers (relative, degrees, N s, m/s).
 const AGREES: f64 = 1e-3;
@@ -29,7 +29,7 @@ impl View for Plan {
             document.text(
                 "The first condition is a disk in the plane of the two tangents $t_1$, $t_2$. Its boundary is a circle, \
                  which linear constraints only approximate. Solvers use one of these sets:\n\n\
-                 - **Frozen box**: each tangent has its own bounds, $\\pm\\mu$ times a known normal impulse: in a single problem that of a solve *without* friction, in a simulation that of the previous step (0 in the first step of a contact). A square of fixed size.\n\
+                 - **Frozen box**: each tangent has its own bounds, $\\pm\\mu$ times a known normal impulse. In a single problem it comes from a solve *without* friction; in a simulation, from the previous step (0 in the first step of a contact). The set is a square of fixed size.\n\
                  - **Coupled box**: the same square, with the current $x_n$. The scenes of this report use it.\n\
                  - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one additional unknown for each corner, solved by Lemke's method.\n\
                  - **Cone**: the disk itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
@@ -80,8 +80,9 @@ impl View for Plan {
         };
         Headline::of(findings.first().map(|study| {
             format!(
-                "**The error of each friction model**, for a block that is pushed in directions a few degrees \
-                 apart. Compared with Coulomb's law, friction has {}.",
+                "This section measures the error of each friction model for a block that is pushed in \
+                 directions {}° apart. Compared with Coulomb's law, friction has {}.",
+                readable(PUSH_ANGLE, 2),
                 said(study).join("; ")
             )
         }))

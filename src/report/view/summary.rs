@@ -24,7 +24,7 @@ pub(super) fn show(results: &Results, document: &mut ReportPage) -> Result<()> {
     });
     let table = Table::new(
         "The checks, section by section",
-        "One row for each section with checks; the section explains its numbers.",
+        "One row for each section with checks; the section on the page explains its numbers.",
         "section | result | outcome",
         rows.collect(),
     );

@@ -189,8 +189,23 @@ fn formulas(rows: &[Row]) -> String {
             lines.push(line);
         }
     }
-    lines.join("\n")
+    let explained = SYMBOLS.iter().filter(|(case, _)| rows.iter().any(|row| row.case == *case));
+    let explained: Vec<&str> = explained.map(|(_, words)| *words).collect();
+    format!("{}\n\n{}", lines.join("\n"), explained.join(" "))
 }
+
+/// The symbols of formulas that are not in the glossary, each with a case that has them.
+const SYMBOLS: [(&str, &str); 4] = [
+    ("pendulum", "agm: the arithmetic-geometric mean."),
+    ("iftomm-pendulum", "sn, cn: Jacobi's elliptic functions with the modulus $k$."),
+    ("flip", "$K(k)$: the complete elliptic integral of the first kind with the modulus $k$."),
+    (
+        "capstan",
+        "In the capstan cases, $T_1$ and $T_2$ are the pulls at the ends of the rope, $n$ is the number of its links, \
+         $\\delta$ the angle of a link around the post, $r = (1 + \\mu \\tan \\frac{\\delta}{2}) / (1 - \\mu \\tan \
+         \\frac{\\delta}{2})$, $m$ the mass of each point, and $m K$ the pull $T_2$ per acceleration of the rope if $T_1 = 0$.",
+    ),
+];
 
 /// Each tolerance once, with its reason and its cases.
 fn tolerances(rows: &[Row]) -> String {
@@ -224,7 +239,7 @@ pub fn table(rows: &[Row]) -> Table {
         title: "Closed forms and measured values".into(),
         how_to_read: "*measured*, *error*: with the shortest step; the error is relative unless 0 is expected. A row with a \
          *derived* order passes if the observed *order*, from the two shortest steps, is within 0.1 of it. Any \
-         other row passes if no error exceeds *allowed*, for the reason given below. *exact*: the value does \
+         other row passes if no error exceeds *allowed*; the page gives the reasons. *exact*: the value does \
          not depend on the time step, and *allowed* covers rounding and the solver's tolerance."
             .into(),
         columns: head.into_iter().chain(tail).collect(),

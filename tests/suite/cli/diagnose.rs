@@ -134,7 +134,8 @@ fn a_motor_that_presses_against_a_wall_is_no_trouble() {
     let told = run(&["diagnose", scene.to_str().unwrap(), "--step", "25"]);
     let words = out(&told).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        words.contains("dantzig solved it in") && words.contains("No cause of errors was found"),
+        words.contains("dantzig solved the problem of this step in")
+            && words.contains("No cause of errors was found"),
         "{words}"
     );
     assert!(!words.contains("Cause:"), "{words}");

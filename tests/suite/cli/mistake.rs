@@ -30,7 +30,7 @@ fn the_mistake_behind_an_answer_is_named_with_the_exit_code_of_the_judge() {
     // Of an answer that no mistake explains, the output states what it was compared with.
     let unknown = file("unknown.json", r#"{"x": [3.1415, 2.7182, 0.5772]}"#);
     let told = String::from_utf8(run(&["diagnose", &problem, &unknown]).stdout).unwrap();
-    let compared = "the first 2000 iterates of each method, and with the first 100 on each";
+    let compared = "the first 2,000 iterates of each method, and with the first 100 on each";
     assert!(told.contains(compared), "{told}");
 
     let right = file("right.json", r#"{"x": [4, 3, 1]}"#);
@@ -57,7 +57,10 @@ fn the_mistake_behind_an_answer_is_named_with_the_exit_code_of_the_judge() {
     let told = run(&["diagnose", &file("polygon.json", polygon), &boxed]);
     assert_eq!(told.status.code(), Some(1));
     let text = String::from_utf8(told.stdout).unwrap();
-    assert!(text.contains("x, exactly: friction under the model coupled-box, solved."), "{text}");
+    assert!(
+        text.contains("exactly this x: the solution with friction under the model coupled-box."),
+        "{text}"
+    );
 }
 
 #[test]

@@ -56,6 +56,33 @@ fn a_generated_problem_is_solved_from_the_pipe() {
 }
 
 #[test]
+fn the_meanings_of_the_residuals_stand_in_one_column() {
+    // Its residuals have exponents of two digits.
+    let problem = run(&["export", "incline", "--step", "1"]);
+    let text = out(&run_with(&out(&problem), &["solve", "-"]));
+    let meanings =
+        ["error of the worst", "max |x", "largest distance", "largest product", "bound on"];
+    let column = |meaning: &str| {
+        let line = text.lines().find(|line| line.contains(meaning)).unwrap();
+        line[..line.find(meaning).unwrap()].chars().count()
+    };
+    assert_eq!(meanings.map(column), [31; 5], "{text}");
+}
+
+#[test]
+fn a_duality_gap_is_not_negative() {
+    // x is below its bound by a rounding error where w > 0: the gap is −1e-16 times w.
+    let problem = r#"{"A": {"dense": [[1, 0], [0, 1]]}, "b": [1, -1]}"#;
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    std::fs::write(path("p.json"), problem).unwrap();
+    std::fs::write(path("x.json"), r#"{"x": [-1e-16, 1]}"#).unwrap();
+    let text = out(&run(&["judge", &path("p.json"), &path("x.json")]));
+    let gap = text.lines().find(|line| line.contains("duality gap")).unwrap();
+    assert!(gap.contains(" 0  bound on the error"), "{text}");
+}
+
+#[test]
 fn solve_prints_the_verdict_as_text() {
     let output = run_with(GOOD, &["solve", "-"]);
     assert!(out(&output).contains("verdict    proved: x is an exact solution"));

@@ -106,6 +106,41 @@ fn prose_of_a_help_fills_the_lines_of_narrow_and_wide_terminals() {
 }
 
 #[test]
+fn a_default_of_an_option_is_that_of_the_command() {
+    let default = |command: &str, option: &str| {
+        let help = out(&run(&[command, "--help"])).replace('\n', " ");
+        let words: Vec<&str> = help.split_whitespace().collect();
+        let help = words.join(" ");
+        let (_, of_option) = help.split_once(&format!(" {option} <")).unwrap();
+        let (_, default) = of_option.split_once("[default: ").unwrap();
+        default.split(']').next().unwrap().to_string()
+    };
+    for command in ["solve", "test"] {
+        assert_eq!(default(command, "--omega"), "1.3", "{command}");
+        assert_eq!(default(command, "--order"), "natural", "{command}");
+        assert_eq!(default(command, "--seed"), "1", "{command}");
+    }
+    for option in ["--omega", "--order", "--seed", "--tolerance", "--max-iterations"] {
+        assert_eq!(default("simulate", option), "the scene's", "{option}");
+        let both = default("compare", option);
+        assert!(both.starts_with("the scene's; for problems "), "{both}");
+    }
+    assert!(default("hunt", "--at-least").contains("stop at the first problem found"));
+}
+
+#[test]
+fn plug_ins_are_repeatable_where_several_solvers_run() {
+    for (command, is_repeatable) in
+        [("compare", true), ("hunt", true), ("test", true), ("solve", false), ("diagnose", false)]
+    {
+        let help = out(&run(&[command, "--help"]));
+        let (_, plugin) = help.split_once("--plugin <").unwrap();
+        let plugin = plugin.split("\n      -").next().unwrap();
+        assert_eq!(plugin.contains("(repeatable)"), is_repeatable, "{command}: {plugin}");
+    }
+}
+
+#[test]
 fn a_report_has_at_most_twelve_options() {
     let help = out(&run(&["report", "--help"]));
     let options = help.lines().filter(|line| line.trim_start().starts_with('-'));

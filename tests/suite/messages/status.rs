@@ -65,7 +65,7 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
         Status::ZeroDiagonal { .. } => said("pgs", &flat, usual()),
             "the diagonal of row 1 is not positive";
         Status::Singular { .. } => said("block-pivoting", &dependent, usual()), "singular at row 1";
-        Status::Ray { .. } => said("lemke", &torn, usual()), "ended on a ray: row 0 is not satisfied, which alone proves nothing";
+        Status::Ray { .. } => said("lemke", &torn, usual()), "ended on a ray: row 0 is not satisfied (this is not a proof that no solution exists)";
         Status::NoSolution => said("enumeration", &negative, usual()),
             "all active sets were tried, and none gives a solution";
         Status::SetsLeft { .. } => said("enumeration", &pair, one_sweep.clone()),

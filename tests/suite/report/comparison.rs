@@ -85,13 +85,14 @@ fn no_level_is_called_exact() {
     comparison.levels = Some(Levels { levels, apart: 0.0 });
     let text = comparison_answer(&comparison);
     for sentence in [
-        "Where bodies meet, velocity bounces up to 50 % of a step too early or too late and is off by \
-         25 % of the approach in a step, acceleration does not change when the step is divided (to \
-         1e-6).",
-        "Where bodies spin freely, velocity is off by 25 % of the angular momentum or energy in a \
-         step, acceleration keeps angular momentum and energy (to 1e-6).",
-        "Where bodies rest, velocity is off by 25 % of the thinnest body, by gaps or overlaps, \
-         acceleration keeps them in contact (to 1e-6).",
+        "At velocity level, impacts come up to 50 % of a step too early or too late and are off by \
+         25 % of the approach in a step. At acceleration level, impacts do not change when the step is \
+         divided (to 1e-6).",
+        "At velocity level, bodies that spin freely are off by 25 % of the angular momentum or energy \
+         in a step. At acceleration level, bodies that spin freely keep their angular momentum and \
+         energy (to 1e-6).",
+        "At velocity level, resting bodies are off by 25 % of the thinnest body, by gaps or overlaps. At \
+         acceleration level, resting bodies stay in contact (to 1e-6).",
     ] {
         assert!(text.contains(sentence), "{text}");
     }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use lcplab_page::document::notation::plain;
-use lcplab_page::number::{counted, readable};
+use lcplab_page::number::{count, counted, readable};
 
 /// Significant digits of a factor near 1 and of a number of sweeps.
 const DIGITS: usize = 6;
@@ -182,15 +182,15 @@ impl fmt::Display for Cause {
             }
             Cause::Impossible { rows, proof: Proof::Vector } if rows.len() == 1 => write!(
                 f,
-                "no forces satisfy row {}, proved in exact arithmetic. Remove the row, or make it compliant with \
-                 a spring.",
+                "no forces satisfy row {}; this is proved in exact arithmetic. Remove the row, or make it \
+                 compliant with a spring.",
                 rows[0]
             ),
             Cause::Impossible { rows, proof: Proof::Vector } => write!(
                 f,
-                "no forces satisfy these rows together, proved in exact arithmetic: {}. Sweeps would increase \
+                "no forces satisfy rows {} together; this is proved in exact arithmetic. Sweeps would increase \
                  the forces without limit. Remove one of the rows, or make it compliant with a spring.",
-                listed(rows)
+                and_listed(rows)
             ),
             Cause::Impossible { rows, proof: Proof::LastDigits } => write!(
                 f,
@@ -202,7 +202,7 @@ impl fmt::Display for Cause {
             ),
             Cause::Impossible { proof: Proof::CaseSplit { pieces }, .. } => write!(
                 f,
-                "no forces satisfy all rows together, proved in exact arithmetic by trying {} of rows at a bound. \
+                "no forces satisfy all rows together; this is proved in exact arithmetic by trying {} of rows at a bound. \
                  Remove a row or, if friction couples the rows, reduce its coefficient.",
                 counted(*pieces, "choice")
             ),
@@ -237,10 +237,10 @@ impl fmt::Display for Cause {
             Cause::Slow { radius, sweeps } => write!(
                 f,
                 "while all rows are active, each sweep of Gauss-Seidel multiplies the error by {}, \
-                 so eight more digits need {} sweeps. Start from the forces of the previous step, or \
-                 use a pivoting solver.",
+                 so reducing the error by a factor of 1e8 takes {} sweeps. Start from the forces of the \
+                 previous step, or use a pivoting solver.",
                 readable(*radius, DIGITS),
-                readable(sweeps.round(), DIGITS)
+                whole(*sweeps)
             ),
             Cause::Several { answers } => write!(
                 f,
@@ -255,7 +255,7 @@ impl fmt::Display for Cause {
             Cause::Indefinite { eigenvalue } => write!(
                 f,
                 "A has the eigenvalue {} after scaling, but J M⁻¹ Jᵀ has no negative eigenvalue. Look for \
-                 a wrong sign, a block of another body, or a negative mass.",
+                 a wrong sign, a block that belongs to another body, or a negative mass.",
                 plain(*eigenvalue)
             ),
             Cause::Failed { reason } => write!(f, "{reason}."),
@@ -263,9 +263,28 @@ impl fmt::Display for Cause {
     }
 }
 
+/// A number of sweeps with all digits; a very large one in powers of ten.
+fn whole(sweeps: f64) -> String {
+    const COUNTABLE: f64 = 1e12;
+    let sweeps = sweeps.round();
+    if sweeps < COUNTABLE { count(sweeps as usize) } else { readable(sweeps, DIGITS) }
+}
+
+/// Row names in a sentence; a long list is shortened.
+fn and_listed(rows: &[String]) -> String {
+    match rows {
+        [first @ .., last] if !first.is_empty() && rows.len() <= FEW => {
+            format!("{} and {last}", first.join(", "))
+        }
+        _ => listed(rows),
+    }
+}
+
+/// The number of row names in a sentence.
+const FEW: usize = 4;
+
 /// Row names as text; a long list is shortened.
 fn listed(rows: &[String]) -> String {
-    const FEW: usize = 4;
     let mut list = rows.iter().take(FEW).cloned().collect::<Vec<_>>().join(", ");
     if rows.len() > FEW {
         list += &format!(" and {} more", rows.len() - FEW);

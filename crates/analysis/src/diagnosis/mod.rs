@@ -44,6 +44,7 @@ use lcplab_lcp::error::{Error, Result};
 use lcplab_lcp::exact::all_solutions;
 use lcplab_lcp::file::Problem;
 use lcplab_lcp::friction::{Model, ProblemForm};
+use lcplab_lcp::number::count;
 use lcplab_solver::theory;
 
 /// Maximum number of rows.
@@ -196,7 +197,8 @@ impl Diagnosis {
     /// of the coupled box.
     fn examine(&mut self, lcp: &Lcp, is_box: bool) -> Result<()> {
         if lcp.len() > LARGEST {
-            let reason = format!("has {} rows, more than {LARGEST} are not examined", lcp.len());
+            let [rows, most] = [lcp.len(), LARGEST].map(count);
+            let reason = format!("has {rows} rows; diagnose examines at most {most}");
             return Err(Error::invalid(&self.subject, "A", reason));
         }
         let found = regularity(lcp.matrix());

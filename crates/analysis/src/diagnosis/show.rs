@@ -6,7 +6,7 @@ use super::{Cause, Diagnosis, Proof};
 use lcplab_judge::regularity::Regularity;
 use lcplab_page::document::notation::indexed;
 use lcplab_page::document::{Document, SHOWN, Section};
-use lcplab_page::number::readable;
+use lcplab_page::number::{count, readable};
 
 /// Significant digits of the factors in a sum.
 const DIGITS: usize = 3;
@@ -73,7 +73,7 @@ impl Diagnosis {
             }
             [] => "Nothing was found that prevents a solution; whether it is unique is not known.",
             _ if self.is_sound() => {
-                "Nothing was found that prevents a solution. The remarks below name what makes it difficult."
+                "Nothing was found that prevents a solution. The remarks below state what makes the problem hard for a solver."
             }
             _ => "The problem cannot be solved in this form.",
         };
@@ -86,8 +86,8 @@ impl Diagnosis {
             None => "rank and condition",
         });
         let mut rows = vec![
-            ["rows of A".to_string(), self.labels.len().to_string()],
-            ["rank of A, up to rounding".into(), found.rank.to_string()],
+            ["rows of A".to_string(), count(self.labels.len())],
+            ["rank of A, up to rounding".into(), count(found.rank)],
             [
                 "condition number of A, scaled to unit diagonal, without zero eigenvalues".into(),
                 readable(found.condition, DIGITS),
@@ -97,11 +97,11 @@ impl Diagnosis {
             rows.extend([
                 [
                     "velocity components of moving bodies".into(),
-                    degrees_of_freedom.components.to_string(),
+                    count(degrees_of_freedom.components),
                 ],
-                ["rows of rigid equations".into(), degrees_of_freedom.rows.to_string()],
-                ["rank of the rigid equations".into(), degrees_of_freedom.rank.to_string()],
-                ["remaining degrees of freedom".into(), degrees_of_freedom.left().to_string()],
+                ["rows of rigid equations".into(), count(degrees_of_freedom.rows)],
+                ["rank of the rigid equations".into(), count(degrees_of_freedom.rank)],
+                ["remaining degrees of freedom".into(), count(degrees_of_freedom.left())],
             ]);
         }
         section.table("counts", &["quantity", "number"], rows.into_iter().map(Vec::from).collect());
@@ -126,7 +126,7 @@ impl Diagnosis {
             "Up to rounding, these linear combinations of w = A x + b do not depend on the forces."
         });
         let lines = found.dependencies.iter().map(|d| vec![combination(d)]).collect();
-        section.table("constant combinations of w", &["combination"], lines);
+        section.table("combinations of w that do not depend on x", &["combination of rows"], lines);
         section
     }
 }

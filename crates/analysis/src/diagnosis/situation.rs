@@ -60,7 +60,7 @@ pub fn observed_scene(scene: &Scene, step: usize, tick: &dyn Fn()) -> Result<Dia
     let rows = assembly.rows.iter().enumerate();
     found.labels = rows.map(|(i, row)| format!("{i} ({})", row.label(scene))).collect();
     found.degrees_of_freedom = Some(DegreesOfFreedom::of(&assembly));
-    found.causes.extend(apart(&assembly, scene));
+    found.causes.extend(apart(&assembly, &found.labels));
     let problem = match is_force {
         true => {
             let slides = Slide::of_scene(scene, &assembly);
@@ -74,14 +74,15 @@ pub fn observed_scene(scene: &Scene, step: usize, tick: &dyn Fn()) -> Result<Dia
 }
 
 /// The equation with the largest error, and the deepest overlap.
-fn apart(assembly: &Assembly, scene: &Scene) -> Vec<Cause> {
-    let is_rigid = |row: &&Row| row.bounds == Bounds::Bilateral && row.spring.is_none();
-    let equations = assembly.rows.iter().filter(is_rigid).map(|row| (row, row.c.abs()));
-    let one_sided = assembly.rows.iter().filter(|row| row.bounds == Bounds::Unilateral);
-    let overlaps = one_sided.map(|row| (row, -row.c));
-    let cause = |(row, error): (&Row, f64)| {
-        let unit = if row.kind.is_angular() { "rad" } else { "m" };
-        Cause::Apart { row: row.label(scene), error: format!("{} {unit}", plain(error)) }
+fn apart(assembly: &Assembly, labels: &[String]) -> Vec<Cause> {
+    let rows = || assembly.rows.iter().enumerate();
+    let is_rigid = |row: &Row| row.bounds == Bounds::Bilateral && row.spring.is_none();
+    let equations = rows().filter(|(_, row)| is_rigid(row)).map(|(i, row)| (i, row.c.abs()));
+    let one_sided = rows().filter(|(_, row)| row.bounds == Bounds::Unilateral);
+    let overlaps = one_sided.map(|(i, row)| (i, -row.c));
+    let cause = |(i, error): (usize, f64)| {
+        let unit = if assembly.rows[i].kind.is_angular() { "rad" } else { "m" };
+        Cause::Apart { row: labels[i].clone(), error: format!("{} {unit}", plain(error)) }
     };
     let worst = [
         equations.reduce(|most, next| if next.1 > most.1 { next } else { most }),

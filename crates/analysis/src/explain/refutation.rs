@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 
 use super::answer::Reading;
-use super::units::with_unit;
+use super::units::{headed, with_unit};
 use lcplab_judge::ray::{Farkas, refute};
 use lcplab_lcp::Lcp;
 use lcplab_page::document::notation::{bracketed, interval, plain};
@@ -68,7 +68,7 @@ fn numbers(section: &mut Section, reading: &Reading, d: &[RBig]) {
     }
     let unit = reading.units.of_w();
     let columns =
-        ["row", "d", "(Aᵀd)ᵢ", "bounds of x", "largest (Aᵀd)ᵢ xᵢ", &format!("bᵢ dᵢ ({unit})")];
+        ["row", "d", "(Aᵀd)ᵢ", "bounds of x", "largest (Aᵀd)ᵢ xᵢ", &headed("bᵢ dᵢ", &unit)];
     section.table("the vector d in its relevant rows", &columns, lines);
     let total = most + last;
     let sum = format!("dᵀw ≤ {} + {} = {}", plain(most), bracketed(last), plain(total));

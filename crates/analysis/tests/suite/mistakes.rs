@@ -102,13 +102,16 @@ fn mistakes_in_the_problem_are_named() {
     let lcp = column();
     let with = |b: Vec<f64>| lcp.with_b(b).unwrap();
     let other_sign = with(lcp.b().iter().map(|b| -b).collect());
-    assert_eq!(first(&lcp, &exact(&other_sign)), "b with the opposite sign, solved");
+    assert_eq!(first(&lcp, &exact(&other_sign)), "the solution with the opposite sign of b");
     let without_dt = with(lcp.b().iter().map(|b| 60.0 * b).collect());
-    assert_eq!(first(&lcp, &exact(&without_dt)), "b times 60 (a time step or a unit?), solved");
+    assert_eq!(
+        first(&lcp, &exact(&without_dt)),
+        "the solution with b times 60 (check the time step and the unit)"
+    );
     let mut lo = lcp.lo().to_vec();
     lo[5] = f64::NEG_INFINITY;
     let free = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), lo, lcp.hi().to_vec()).unwrap();
-    assert_eq!(first(&lcp, &exact(&free)), "row 5 without its bounds, solved");
+    assert_eq!(first(&lcp, &exact(&free)), "the solution with row 5 without its bounds");
     let mut soft = lcp.matrix().to_dense();
     for i in 0..8 {
         soft[(i, i)] += 1e-3;
@@ -122,7 +125,7 @@ fn mistakes_in_the_problem_are_named() {
     )
     .unwrap();
     let found = mistakes(&lcp, &exact(&soft));
-    assert_eq!(found[0].what, "compliance (CFM) 0.001 on the diagonal of A, solved");
+    assert_eq!(found[0].what, "the solution with compliance (CFM) 0.001 on the diagonal of A");
 }
 
 #[test]
@@ -132,12 +135,14 @@ fn friction_that_was_forgotten_or_has_no_limit_is_named() {
     // A is the identity: one sweep from the last row to the first gives the same.
     let found = mistakes(&lcp, &[2.0, 0.0, 0.0]);
     assert!(
-        found.iter().any(|own| own.what == "friction left out, solved" && own.distance == 0.0),
+        found
+            .iter()
+            .any(|own| own.what == "the solution with friction left out" && own.distance == 0.0),
         "{found:?}"
     );
     let wanted = [3.0 * 30f64.to_radians().cos(), 1.5];
     let found = mistakes(&lcp, &[2.0, wanted[0], wanted[1]]);
-    assert_eq!(found[0].what, "friction without a limit, solved");
+    assert_eq!(found[0].what, "the solution with friction without a limit");
 }
 
 #[test]
@@ -244,7 +249,10 @@ fn friction_that_is_limited_by_the_last_normal_forces_is_named() {
     let all: Vec<(&str, f64)> =
         found.iter().map(|mistake| (mistake.what.as_str(), mistake.distance)).collect();
     assert!(
-        all.contains(&("friction limited by the normal forces of the previous step, solved", 0.0)),
+        all.contains(&(
+            "the solution with friction limited by the normal forces of the previous step",
+            0.0
+        )),
         "{all:?}"
     );
 }
@@ -322,7 +330,7 @@ fn with_redundant_rows_any_solution_of_the_changed_problem_counts() {
     let lcp = Lcp::new(a, b, vec![0.0; 5], vec![f64::INFINITY; 5]).unwrap();
     let split = 0.123_456_789_012_345;
     let named = first(&lcp, &[split, 0.5 - split, 1.0, 0.5, 1.0]);
-    assert_eq!(named, "b times 0.5 (a time step or a unit?), solved");
+    assert_eq!(named, "the solution with b times 0.5 (check the time step and the unit)");
 }
 
 #[test]

@@ -71,7 +71,7 @@ impl Interpenetration {
             ),
             InterpenetrationKind::DeepOverlap { thickness } => format!(
                 "{body:?} is {depth} m inside {other:?} after step {step}; the thinner of the two is {} m thick. \
-                 If the judge rejects answers of the solver, they are a likely cause; otherwise use a smaller step.dt. {}",
+                 A likely cause is rejected answers of the solver. If the judge accepts all answers, use a smaller step.dt. {}",
                 readable(thickness, DIGITS),
                 remedy_for_overlap(scene)
             ),

@@ -204,7 +204,12 @@ impl Document {
     }
 }
 
+/// The words with a capital first letter, unless they begin with a symbol, such as x.
 fn capitalised(words: &str) -> String {
+    if words.chars().nth(1).is_none_or(|second| !second.is_alphabetic()) && !words.starts_with("a ")
+    {
+        return words.into();
+    }
     let mut letters = words.chars();
     let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
     first + letters.as_str()

@@ -398,7 +398,7 @@ const CONDENSED_ROWS: usize = 3;
 impl Table {
     /// The table without the columns that say the same in every row, and of each its title (markup)
     /// and what it says (plain text): `time limit` and `5 s`. The first column, marked cells and
-    /// links stay.
+    /// links stay. An empty column is not explained either.
     pub fn condensed(&self) -> (Table, Vec<(String, String)>) {
         let is_same = |c: usize| {
             let cell = |row: &Vec<Cell>| row.get(c).cloned().unwrap_or_default();
@@ -421,7 +421,8 @@ impl Table {
             said.then(|| (column.title.clone(), value.trim_end().to_string()))
         };
         let said = dropped.iter().filter_map(say).collect();
-        (self.columns_only(&kept), said)
+        let is_silent = |c: usize| dropped.contains(&c) && say(&c).is_none();
+        (self.columns_only(&kept).explained_without(self, is_silent), said)
     }
 
     /// The table without its secondary columns, and without the sentences of "how to read" that
@@ -429,15 +430,21 @@ impl Table {
     pub(crate) fn primary(&self) -> Table {
         let kept: Vec<usize> =
             (0..self.columns.len()).filter(|&c| !self.columns[c].secondary).collect();
+        self.columns_only(&kept).explained_without(self, |c| self.columns[c].secondary)
+    }
+
+    /// The table without the sentences of "how to read" that begin with the name of an omitted
+    /// column of the whole table.
+    fn explained_without(self, whole: &Table, is_omitted: impl Fn(usize) -> bool) -> Table {
         let names_omitted = |sentence: &&str| {
-            let column = self.columns.iter().find(|own| {
+            let column = whole.columns.iter().position(|own| {
                 sentence.strip_prefix('*').is_some_and(|rest| rest.starts_with(&own.title))
             });
-            column.is_some_and(|own| own.secondary)
+            column.is_some_and(&is_omitted)
         };
         let sentences = self.how_to_read.split_inclusive(". ");
-        let kept_words: String = sentences.filter(|own| !names_omitted(own)).collect();
-        Table { how_to_read: kept_words.trim_end().into(), ..self.columns_only(&kept) }
+        let kept: String = sentences.filter(|own| !names_omitted(own)).collect();
+        Table { how_to_read: kept.trim_end().into(), ..self }
     }
 
     fn columns_only(&self, kept: &[usize]) -> Table {

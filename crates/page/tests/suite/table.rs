@@ -18,7 +18,7 @@ fn table() -> Table {
     let rows = vec![row("a", 1), row("b", 2), row("c", 3)];
     let mut table = Table::new(
         "Runs",
-        "*limit*: of each run. *hash*: of its numbers.",
+        "*limit*: of each run. *reason*: why it ended early. *hash*: of its numbers.",
         "name | #limit (s) | reason | #hash | verdict",
         rows,
     );
@@ -55,7 +55,7 @@ fn a_page_reads_the_title_of_a_column_of_one_value_as_markup_and_the_value_as_te
 }
 
 #[test]
-fn a_terminal_marks_bad_cells_and_omits_secondary_columns_and_what_explains_them() {
+fn a_terminal_marks_bad_cells_and_explains_neither_secondary_nor_empty_columns() {
     let words = "Runs
     name   verdict
     a      ✗ bad
@@ -80,9 +80,9 @@ fn a_table_that_is_too_wide_for_a_terminal_is_written_row_by_row() {
     wide.rows[1][3].mark = Mark::Bad;
     let words = terminal::table_within(&wide, 100);
     assert!(words.lines().all(|line| line.chars().count() <= 100), "{words}");
-    let starts = "Wide\n    one, a method\n        quantity 1 (m) 0.625; quantity 2 (m) 0.75; ";
+    let starts = "Wide\n    one, a method\n        quantity 1 (m): 0.625; quantity 2 (m): 0.75; ";
     assert!(words.starts_with(starts), "{words}");
-    let second = "\n    two, a method\n        quantity 0 (m) 2; quantity 1 (m) ✗ 2.125; ";
+    let second = "\n    two, a method\n        quantity 0 (m): 2; quantity 1 (m): ✗ 2.125; ";
     assert!(words.contains(second), "{words}");
     assert_eq!(terminal::table_within(&table(), 100), terminal::table(&table()));
 }

@@ -63,9 +63,10 @@ pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
             exponents.map(|own| own.map_or(Cell::text("–"), |own| Cell::number(own, 2)));
         [Cell::text(&curve.name)].into_iter().chain(numbers).collect::<Vec<_>>()
     };
-    let heads = measures
-        .iter()
-        .map(|measure| Column::numbers(format!("{} ~ {}^", words(measure), curves.across), ""));
+    let heads = measures.iter().map(|measure| {
+        let law = format!("exponent p in {} ∝ ({})^p", words(measure), curves.across);
+        Column::numbers(law, "")
+    });
     Some(Table {
         title: format!("Growth with {}", curves.across),
         how_to_read: format!(

@@ -5,7 +5,7 @@ use crate::number::readable;
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Mark, Table};
 use crate::report::study::cards::{Column, Measured, Phenomenon, Record, SolverPart};
-use crate::report::view::ReportPage;
+use crate::report::view::{ReportPage, capital};
 
 /// The beginning of the reason of a run without constraint rows.
 pub const NO_ROWS: &str = "no rows";
@@ -86,12 +86,6 @@ fn name(record: &Record, column: &Column) -> String {
         OWN => column.settings.replace(", ", " "),
         engine => record.title(engine).into(),
     }
-}
-
-/// A text with a capital first letter.
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 fn table(record: &Record, phenomenon: &Phenomenon) -> Table {

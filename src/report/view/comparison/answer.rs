@@ -5,6 +5,7 @@ use crate::report::study::comparison::{
     Comparison, EXACT, Energy, FRICTION_ANGLE, HELD, LAW_TOLERANCE, LevelRefinement, Levels, Phase,
     Run, RunLaws, Sample, best,
 };
+use crate::report::view::capital;
 use crate::scene::Scheme;
 
 /// Significant digits.
@@ -151,50 +152,74 @@ fn levels_in_words(levels: &Levels, thinnest: f64) -> String {
     let mut says = Vec::new();
     if let [first, .., last] = &levels.levels[..] {
         let apart = length(levels.apart);
-        says.push(format!(
-            "The final positions under {} and {} differ by {apart}.",
-            first.scheme, last.scheme
-        ));
+        let (first, last) = (at(&first.scheme), at(&last.scheme));
+        says.push(format!("The final positions {first} and {last} differ by {apart}."));
     }
-    let own = |level: &LevelRefinement| format!("{} at {}", length(level.halved), level.scheme);
+    let own =
+        |level: &LevelRefinement| format!("by {} {}", length(level.halved), at(&level.scheme));
     let own = levels.levels.iter().map(own).collect::<Vec<_>>();
-    says.push(format!("Half the step changes the final positions by {}.", own.join(", by ")));
+    says.push(format!("Halving the step changes the final positions {}.", own.join(" and ")));
     says.extend(Phase::ALL.into_iter().filter_map(|phase| phase_in_words(levels, phase)));
     says.join(" ")
 }
 
-/// How large the error of each level is where bodies do this; nothing where they never do.
+/// A scheme in a sentence.
+fn at(scheme: &str) -> String {
+    match scheme {
+        "velocity" | "acceleration" => format!("at {scheme} level"),
+        scheme => format!("with the scheme {scheme}"),
+    }
+}
+
+/// How large the error of each level is where bodies do this; nothing where they never do. Levels
+/// with the same error share a sentence.
 fn phase_in_words(levels: &Levels, phase: Phase) -> Option<String> {
-    let (place, passes, fails) = match phase {
+    let (subject, passes, fails) = match phase {
         Phase::Meet => (
-            "meet",
-            "does not change when the step is divided (to 1e-6)",
+            "impacts",
+            "do not change when the step is divided (to 1e-6)",
             "of the approach in a step",
         ),
         Phase::Spin => (
-            "spin freely",
-            "keeps angular momentum and energy (to 1e-6)",
+            "bodies that spin freely",
+            "keep their angular momentum and energy (to 1e-6)",
             "of the angular momentum or energy in a step",
         ),
-        Phase::Rest => {
-            ("rest", "keeps them in contact (to 1e-6)", "of the thinnest body, by gaps or overlaps")
-        }
+        Phase::Rest => (
+            "resting bodies",
+            "stay in contact (to 1e-6)",
+            "of the thinnest body, by gaps or overlaps",
+        ),
     };
-    let own = |level: &LevelRefinement| {
-        let (scheme, error) = (&level.scheme, level.errors[phase as usize]?);
+    let mut said: Vec<(String, Vec<String>)> = Vec::new();
+    for level in &levels.levels {
+        let Some(error) = level.errors[phase as usize] else { continue };
         let mistimed = level.mistimed.filter(|&time| phase == Phase::Meet && time > EXACT);
         let time = mistimed.map(|time| {
             let part = readable(100.0 * time, DIGITS);
-            format!("bounces up to {part} % of a step too early or too late")
+            format!("come up to {part} % of a step too early or too late")
         });
         let rest = match error <= EXACT {
             true if time.is_some() => None,
             true => Some(passes.to_string()),
-            false => Some(format!("is off by {} % {fails}", readable(100.0 * error, DIGITS))),
+            false => Some(format!("are off by {} % {fails}", readable(100.0 * error, DIGITS))),
         };
-        let says: Vec<String> = time.into_iter().chain(rest).collect();
-        Some(format!("{scheme} {}", says.join(" and ")))
+        let words: Vec<String> = time.into_iter().chain(rest).collect();
+        let (words, place) = (words.join(" and "), at(&level.scheme));
+        match said.iter_mut().find(|(known, _)| *known == words) {
+            Some((_, places)) => places.push(place),
+            None => said.push((words, vec![place])),
+        }
+    }
+    let sentence = |(words, places): (String, Vec<String>)| {
+        let place = match &places[..] {
+            [one, other] if [one, other].iter().all(|own| own.ends_with(" level")) => {
+                "at both levels".into()
+            }
+            places => places.join(" and "),
+        };
+        format!("{}, {subject} {words}.", capital(&place))
     };
-    let own: Vec<String> = levels.levels.iter().filter_map(own).collect();
-    (!own.is_empty()).then(|| format!("Where bodies {place}, {}.", own.join(", ")))
+    let sentences: Vec<String> = said.into_iter().map(sentence).collect();
+    (!sentences.is_empty()).then(|| sentences.join(" "))
 }

@@ -247,8 +247,8 @@ fn by_work(progress: &Progress) -> Lines {
              a pivoting method has one marker, at its end. Sweeps first remove the part of the error that changes \
              sign from contact to contact. Then each sweep multiplies the residual by the spectral radius of the \
              iteration matrix on the active set, the rows between their bounds (pale band{}). In addition to the \
-             residual, which Silcowitz et al. (2010) and Mazhar et al. (2015) plot, this figure shows \
-             how much weight is unsupported meanwhile, and where the active set changes.",
+             residual, which Silcowitz et al. (2010) and Mazhar et al. (2015) plot, this figure also shows \
+             how much weight is still unsupported after each amount of work, and where the active set changes.",
             count(progress.rows),
             readable(progress.omega, 3),
             count(progress.stored),

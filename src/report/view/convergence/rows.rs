@@ -72,7 +72,7 @@ impl Rows {
         };
         let arrivals: Vec<String> = maps.iter().map(of).collect();
         format!(
-            "Sweep after which the impulse from the ground has reached the contact below the top contact: {}.",
+            "Number of sweeps until the impulse from the ground reaches the second contact from the top: {}.",
             arrivals.join("; ")
         )
     }

@@ -45,7 +45,7 @@ pub(super) fn outcome(studies: &[&Rates]) -> Outcome {
         (slopes(false).filter(|(agrees, _)| *agrees).count(), slopes(false).count());
     let slower = slopes(false).filter(|(agrees, slower)| !agrees && *slower).count();
     let mut says =
-        format!("without bounds, {agree} of {all} convergence rates match the spectral radius");
+        format!("Without bounds, {agree} of {all} convergence rates match the spectral radius");
     if bounded > 0 {
         says += &format!("; with bounds, {settled} of {bounded}");
     }

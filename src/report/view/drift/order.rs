@@ -25,16 +25,20 @@ pub(super) fn show(findings: &[&Finding], document: &mut ReportPage) {
 }
 
 pub(super) fn outcome(findings: &[&Finding]) -> Outcome {
-    let claims: Vec<bool> = curves(findings).filter_map(|(_, curve)| curve.holds()).collect();
-    let held = claims.iter().filter(|held| **held).count();
-    let exact = curves(findings)
-        .filter(|(_, curve)| matches!(curve.expected, Expected::Exact { .. }))
-        .count();
+    let claimed = curves(findings).filter(|(_, curve)| curve.holds().is_some()).count();
+    let held = || curves(findings).filter(|(_, curve)| curve.holds() == Some(true));
+    let those = |expected: fn(&Expected) -> bool| {
+        held().filter(|(_, curve)| expected(&curve.expected)).count()
+    };
+    let exact = those(|expected| matches!(expected, Expected::Exact { .. }));
+    let constant = those(|expected| matches!(expected, Expected::Order { order: 0.0, .. }));
+    let (held, verb) = (held().count(), if constant == 1 { "does" } else { "do" });
     let says = format!(
-        "{held} of {} errors decrease at the derived order, or stay at rounding level ({exact} of them)",
-        claims.len()
+        "{held} of {claimed} errors behave as derived: {} decrease at the derived order, {exact} stay at rounding level, \
+         {constant} {verb} not depend on dt",
+        held - exact - constant
     );
-    Outcome { good: held == claims.len(), says }
+    Outcome { good: held == claimed, says }
 }
 
 fn curves<'a>(findings: &[&'a Finding]) -> impl Iterator<Item = (Problem, &'a Curve)> {
@@ -66,7 +70,7 @@ fn figure(finding: &Finding) -> Lines {
     Lines {
         id: format!("order_{}", finding.problem.scene()),
         title: format!(
-            "{}: {held} of {all} errors decrease at the derived order when dt is halved {} times",
+            "{}: {held} of {all} errors behave as derived when dt is halved {} times",
             what(finding.problem),
             finding.curves.first().map_or(0, |curve| curve.errors.len().saturating_sub(1))
         ),
@@ -159,7 +163,7 @@ fn table(findings: &[&Finding]) -> Table {
         format!(
             "Errors at the longest and at the shortest step. *derived*: the derived order. Here 0 means that \
              the error does not decrease, *exact* means that it is a rounding error (below 10⁻¹¹) at every step, and \
-             *open* means that no order is claimed. The reasons are given above. A row passes if the observed order \
+             *open* means that no order is claimed; the page gives the reasons. A row passes if the observed order \
              is within {SLACK} of the derived one."
         ),
         "problem | quantity | method | #first error | #last error | unit | derived | #observed | \

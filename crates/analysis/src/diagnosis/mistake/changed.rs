@@ -29,7 +29,7 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
     let mut all = Vec::new();
     all.extend(Changed::new(
         MistakeKind::SignOfB,
-        "b with the opposite sign",
+        "the opposite sign of b",
         lcp.with_b(negative(lcp.b())).ok(),
     ));
     if !lcp.matrix().is_symmetric() {
@@ -44,7 +44,7 @@ pub(super) fn changed_problems(lcp: &Lcp) -> Vec<Changed> {
         let bounds = (negative(lcp.hi()), negative(lcp.lo()));
         all.extend(Changed::new(
             MistakeKind::SignOfBounds,
-            "bounds with the opposite sign, so that contacts pull",
+            "bounds of the opposite sign, so that contacts pull",
             lcp.with_bounds(bounds.0, bounds.1).ok(),
         ));
     }

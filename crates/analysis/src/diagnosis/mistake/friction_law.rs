@@ -85,7 +85,7 @@ pub(super) fn variants(posed: &ProblemForm, x: &[f64], solution: &[f64]) -> Vec<
         FrictionProblem::new(lcp.clone(), contacts).ok()
     };
     let mut all: Vec<Option<Variant>> = vec![
-        variant(MistakeKind::SignOfB, "b with the opposite sign", with_b(-1.0)),
+        variant(MistakeKind::SignOfB, "the opposite sign of b", with_b(-1.0)),
         variant(MistakeKind::FrictionLeftOut, "friction left out", with_mu(&|_| 0.0)),
         variant(MistakeKind::FactorOfMu, "μ squared", with_mu(&|mu| mu * mu)),
     ];
@@ -96,7 +96,7 @@ pub(super) fn variants(posed: &ProblemForm, x: &[f64], solution: &[f64]) -> Vec<
         all.push(variant(MistakeKind::FactorOfMu, &what, changed).map(fitted));
     }
     if let Some(factor) = super::changed::factor_of_b(lcp, x, solution) {
-        let what = format!("b times {} (a time step or a unit?)", readable(factor, 6));
+        let what = format!("b times {} (check the time step and the unit)", readable(factor, 6));
         all.push(variant(MistakeKind::FactorOfB, &what, with_b(factor)).map(fitted));
     }
     all.into_iter().flatten().collect()

@@ -394,7 +394,7 @@ impl Attempts<'_> {
         }
         for Variant { kind, what, posed, fitted } in all {
             if let Some(y) = friction_law::solution(&posed) {
-                let own = Attempt::new(kind, format!("{what}, solved"), y);
+                let own = Attempt::new(kind, format!("the solution with {what}"), y);
                 self.found.push(Attempt { fitted, ..own });
             }
         }
@@ -437,7 +437,8 @@ impl Attempts<'_> {
         });
         let scaled = with_factor(self.lcp, self.x, solution, self.redundant_rows > 0).map(
             |(factor, lcp)| {
-                let what = format!("b times {} (a time step or a unit?)", readable(factor, 6));
+                let what =
+                    format!("b times {} (check the time step and the unit)", readable(factor, 6));
                 (MistakeKind::FactorOfB, what, lcp)
             },
         );
@@ -456,7 +457,7 @@ impl Attempts<'_> {
     /// The solution of a changed problem, if a solver finds it. If there may be several, x may be
     /// one of them; redundant rows leave as many entries of it free.
     fn solved(&mut self, kind: MistakeKind, what: &str, changed: &Lcp) {
-        let what = format!("{what}, solved");
+        let what = format!("the solution with {what}");
         let most = Settings::default().tolerance.min(self.residual / MUCH_SMALLER);
         if self.redundant_rows > 0 && merit::scaled_residual(changed, self.x) <= most {
             let own = Attempt::new(kind, what, self.x.to_vec());

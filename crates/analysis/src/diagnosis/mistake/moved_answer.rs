@@ -37,7 +37,10 @@ pub(super) fn scaled(solution: &[f64], x: &[f64]) -> Option<Attempt> {
         fitted: 1,
         ..Attempt::new(
             MistakeKind::FactorOfX,
-            format!("the solution times {} (a time step or a unit?)", readable(factor, 6)),
+            format!(
+                "the solution times {} (check the time step and the unit)",
+                readable(factor, 6)
+            ),
             solution.iter().map(|s| factor * s).collect(),
         )
     })

@@ -398,7 +398,7 @@ impl Examination {
             "results of a simulation with each remedy alone",
             &[
                 "remedy",
-                "mean error, second half",
+                "mean error in the second half of the run",
                 "error of the final position, worst body (mm)",
                 "iterations per step",
             ],

@@ -3,6 +3,7 @@
 
 use lcplab_judge::Demand;
 use lcplab_lcp::error::Result;
+use lcplab_lcp::number::readable;
 use lcplab_lcp::{Lcp, merit};
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::formulation::Stage;
@@ -117,7 +118,15 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     }
     if found.unsupported.is_none() && run.solves.iter().any(Option::is_some) {
         let refused = refused.map_or(String::new(), |refused| format!("; {refused}"));
-        found.unmeasured = Some(unmeasured(solve, number) + &refused);
+        let simulated = run.solves.len();
+        let reason = match number > simulated {
+            true => {
+                let time = readable(simulated as f64 * scene.step.dt, 3);
+                format!("step {number} is after the simulated time of {time} s")
+            }
+            false => unmeasured(solve, number),
+        };
+        found.unmeasured = Some(reason + &refused);
     }
     Ok(found)
 }
@@ -125,9 +134,7 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
 /// Why the answer of a step is not compared with an exact one.
 fn unmeasured(solve: Option<&Solve>, step: usize) -> String {
     match solve {
-        None => {
-            format!("step {step} was not simulated (only {TIME} s are), or has no problem to solve")
-        }
+        None => format!("step {step} has no rows"),
         Some(Solve { posing: Some(posing), .. }) => {
             format!(
                 "exact answers are available for the coupled box only, and this problem has the model \

@@ -52,7 +52,11 @@ impl UnsupportedLoad {
     /// The first sentence.
     pub fn headline(&self) -> String {
         if self.is_accepted {
-            return format!("{} solved it in {}.", self.solver, self.counted());
+            return format!(
+                "{} solved the problem of this step in {}.",
+                self.solver,
+                self.counted()
+            );
         }
         let leave = if self.iterations == 1 { "leaves" } else { "leave" };
         let who = format!("{} of {} {leave}", self.counted(), self.solver);

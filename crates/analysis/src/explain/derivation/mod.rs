@@ -30,12 +30,15 @@ pub(super) fn newton_to_lcp(
     let columns = Columns::of(problem);
     let all = problem.assembly.columns();
     let left_out = all - columns.kept.len();
-    if left_out > 0 {
-        section.say(format!(
-            "Not shown: {left_out} of {all} columns, which have no entries in any row."
-        ));
-    }
-    section.say(format!("The columns are {}.", columns.names(scene)));
+    let verb = if columns.kept.len() == 1 { "column is" } else { "columns are" };
+    let names = format!("{verb} {}", columns.names(scene));
+    section.say(match left_out {
+        0 => format!("The {names}."),
+        1 => format!("1 of the {all} columns has no entries and is not shown. The other {names}."),
+        _ => format!(
+            "{left_out} of the {all} columns have no entries and are not shown. The other {names}."
+        ),
+    });
     if !problem.slides.is_empty() {
         sliding::substitution(&mut section, scene, problem);
     }
@@ -114,10 +117,15 @@ fn newton(section: &mut Section, columns: &Columns, dt: f64) {
 /// Step 2: the conditions of the rows on the motion.
 fn constraint(section: &mut Section, columns: &Columns, units: &Units) {
     let (moved, latex) = moved(columns.problem.stage);
-    section.say(
-        "2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A \
-         contact requires w ≥ 0 and pushes only if w = 0.",
-    );
+    let motion = match columns.problem.stage {
+        Stage::Acceleration => "accelerations",
+        Stage::Position => "displacements",
+        _ => "new velocities",
+    };
+    section.say(format!(
+        "2. Every row is a condition on the {motion} {moved}: w is J {moved} plus the bias. A contact \
+         requires w ≥ 0 and pushes only if w = 0."
+    ));
     let law = Formula::default()
         .symbols(&format!("w = J {moved} + bias"), &format!("w = J {latex} + \\mathrm{{bias}}"));
     section.formula(law);

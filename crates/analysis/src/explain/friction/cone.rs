@@ -4,7 +4,7 @@
 use super::ExplainedAnswer;
 use crate::explain::answer;
 use crate::explain::solve::Solved;
-use crate::explain::units::with_unit;
+use crate::explain::units::{headed, with_unit};
 use lcplab_judge::judge_cone;
 use lcplab_lcp::error::Result;
 use lcplab_lcp::friction::{ConeProblem, Contact, Law};
@@ -93,7 +93,7 @@ fn contacts(answered: &ExplainedAnswer, cones: &ConeProblem) -> (Section, bool) 
             plain(x),
             format!("({}, {})", plain(x1), plain(x2)),
             format!(
-                "{} of {}·{} = {}",
+                "{}, limit {}·{} = {}",
                 plain(friction),
                 plain(contact.mu),
                 plain(x),
@@ -104,15 +104,14 @@ fn contacts(answered: &ExplainedAnswer, cones: &ConeProblem) -> (Section, bool) 
             plain(slip),
         ]
     };
-    let unit = |words: &str, unit: &str| format!("{words} ({unit})");
     let columns = [
         "contact",
-        &unit("x_n", x_unit),
-        &unit("x_t", x_unit),
-        &unit("|x_t| of μ x_n", x_unit),
-        &unit("w_n + shift", w_unit),
-        &unit("w_t", w_unit),
-        &unit("|w_t|", w_unit),
+        &headed("x_n", x_unit),
+        &headed("x_t", x_unit),
+        &headed("|x_t|, limit μ x_n", x_unit),
+        &headed("w_n + shift", w_unit),
+        &headed("w_t", w_unit),
+        &headed("|w_t|", w_unit),
     ];
     section.table("the contacts", &columns, contacts.iter().map(line).collect());
     let others = cones.friction().others().iter().map(|&i| {

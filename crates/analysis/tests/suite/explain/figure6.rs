@@ -27,15 +27,14 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
     overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
     4 Step 1, velocity: from Newton's law to the LCP
-    Not shown: 2 of 3 columns, which have no entries in any row.
-    The columns are v_z of body.
+    2 of the 3 columns have no entries and are not shown. The other column is v_z of body.
     1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
     the rows act along Jᵀ and change them.
         u⁺ = u* + M⁻¹Jᵀ x,   u* = u + dt M⁻¹F
         u* = [ −1 ] + 1 s · [ −1 ] = [ −2 ]   m/s
         M⁻¹ = [ 1 ]   1/kg
-    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
-    contact requires w ≥ 0 and pushes only if w = 0.
+    2. Every row is a condition on the new velocities u⁺: w is J u⁺ plus the bias. A contact
+    requires w ≥ 0 and pushes only if w = 0.
         w = J u⁺ + bias
         J = [ 1 ] ,   bias = [ 0 ]   m/s
     3. Equation 1 is substituted into equation 2.
@@ -98,15 +97,14 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     let text = sections(&document, &["Newton", "move by move", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP
-    Not shown: 2 of 3 columns, which have no entries in any row.
-    The columns are v_z of body.
+    2 of the 3 columns have no entries and are not shown. The other column is v_z of body.
     1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
     act.
         u⁺ = u* + M⁻¹Jᵀ x
         u* = [ −1 ]   m/s
         M⁻¹ = [ 1 ]   1/kg
-    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
-    contact requires w ≥ 0 and pushes only if w = 0.
+    2. Every row is a condition on the new velocities u⁺: w is J u⁺ plus the bias. A contact
+    requires w ≥ 0 and pushes only if w = 0.
         w = J u⁺ + bias
         J = [ 1 ] ,   bias = [ 0 ]   m/s
     3. Equation 1 is substituted into equation 2.
@@ -151,15 +149,14 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
         u⁺ = u* + M⁻¹Jᵀ x = [ −1 ] + [ 1 ] = [ 0 ]   m/s
 
     10 Step 1, acceleration: from Newton's law to the LCP
-    Not shown: 2 of 3 columns, which have no entries in any row.
-    The columns are v_z of body.
+    2 of the 3 columns have no entries and are not shown. The other column is v_z of body.
     1. Newton's law. Without constraints the accelerations would be a*. The forces x of the rows act
     along Jᵀ and change them.
         u' = a* + M⁻¹Jᵀ x,   a* = M⁻¹F
         a* = [ −1 ]   m/s²
         M⁻¹ = [ 1 ]   1/kg
-    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
-    contact requires w ≥ 0 and pushes only if w = 0.
+    2. Every row is a condition on the accelerations u': w is J u' plus the bias. A contact requires
+    w ≥ 0 and pushes only if w = 0.
         w = J u' + bias
         J = [ 1 ] ,   bias = [ 0 ]   m/s²
     3. Equation 1 is substituted into equation 2.

@@ -21,8 +21,8 @@ fn figure_7_at_velocity_level_by_sweeps() {
     overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
     4 Step 1, velocity: from Newton's law to the LCP
-    Not shown: 15 of 18 columns, which have no entries in any row.
-    The columns are v_z of bottom, v_z of middle, v_z of top.
+    15 of the 18 columns have no entries and are not shown. The other columns are v_z of bottom, v_z
+    of middle, v_z of top.
     1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
     the rows act along Jᵀ and change them.
         u⁺ = u* + M⁻¹Jᵀ x,   u* = u + dt M⁻¹F
@@ -32,8 +32,8 @@ fn figure_7_at_velocity_level_by_sweeps() {
               ⎡ 1  0  0 ⎤
         M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
               ⎣ 0  0  1 ⎦
-    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
-    contact requires w ≥ 0 and pushes only if w = 0.
+    2. Every row is a condition on the new velocities u⁺: w is J u⁺ plus the bias. A contact
+    requires w ≥ 0 and pushes only if w = 0.
         w = J u⁺ + bias
             ⎡  1   0  0 ⎤            ⎡ 0 ⎤
         J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s
@@ -231,8 +231,8 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
     let text = sections(&document, &["Newton", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP
-    Not shown: 15 of 18 columns, which have no entries in any row.
-    The columns are v_z of bottom, v_z of middle, v_z of top.
+    15 of the 18 columns have no entries and are not shown. The other columns are v_z of bottom, v_z
+    of middle, v_z of top.
     1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
     act.
         u⁺ = u* + M⁻¹Jᵀ x
@@ -242,8 +242,8 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
               ⎡ 1  0  0 ⎤
         M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
               ⎣ 0  0  1 ⎦
-    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
-    contact requires w ≥ 0 and pushes only if w = 0.
+    2. Every row is a condition on the new velocities u⁺: w is J u⁺ plus the bias. A contact
+    requires w ≥ 0 and pushes only if w = 0.
         w = J u⁺ + bias
             ⎡  1   0  0 ⎤            ⎡ 0 ⎤
         J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s
@@ -287,8 +287,8 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
                             ⎣  0 ⎦   ⎣ 0 ⎦   ⎣ 0 ⎦
 
     10 Step 1, acceleration: from Newton's law to the LCP
-    Not shown: 15 of 18 columns, which have no entries in any row.
-    The columns are v_z of bottom, v_z of middle, v_z of top.
+    15 of the 18 columns have no entries and are not shown. The other columns are v_z of bottom, v_z
+    of middle, v_z of top.
     1. Newton's law. Without constraints the accelerations would be a*. The forces x of the rows act
     along Jᵀ and change them.
         u' = a* + M⁻¹Jᵀ x,   a* = M⁻¹F
@@ -298,8 +298,8 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
               ⎡ 1  0  0 ⎤
         M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
               ⎣ 0  0  1 ⎦
-    2. Every row is a condition on the new motion: its w is this motion along J, plus the bias. A
-    contact requires w ≥ 0 and pushes only if w = 0.
+    2. Every row is a condition on the accelerations u': w is J u' plus the bias. A contact requires
+    w ≥ 0 and pushes only if w = 0.
         w = J u' + bias
             ⎡  1   0  0 ⎤            ⎡ 0 ⎤
         J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s²
