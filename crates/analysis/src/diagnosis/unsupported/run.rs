@@ -9,7 +9,6 @@ use lcplab_mechanics::body::State;
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{self, Simulation, Slips, Solve, Step, Warnings};
-use lcplab_page::number::readable;
 use lcplab_solver::{Dantzig, Order, Pgs, Status};
 
 use super::examination::{Examination, StepSummary, first_bad_step};
