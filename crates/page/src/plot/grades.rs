@@ -68,6 +68,10 @@ impl Grade {
     fn words(self) -> String {
         match self {
             Grade::Obeyed => String::new(),
+            // Thousands are abbreviated, because a cell has the room of four characters.
+            Grade::Missed(miss) if (1e3..9.5e5).contains(&miss) => {
+                format!("{}k", readable(miss / 1e3, 1))
+            }
             Grade::Missed(miss) if miss.is_finite() => {
                 readable(miss, if miss < 10.0 { 2 } else { 1 })
             }

@@ -42,3 +42,20 @@ fn groups_stand_side_by_side_or_on_a_narrow_picture_one_below_the_other() {
     assert!(long.narrow().unwrap().contains("class=\"tall\""));
     assert!(!long.svg().contains("class=\"tall\""));
 }
+
+#[test]
+fn a_deviation_of_thousands_fits_its_cell() {
+    for (miss, word) in [
+        (1.9, "1.9"),
+        (640.0, "600"),
+        (6400.0, "6k"),
+        (2e4, "20k"),
+        (190_800.0, "200k"),
+        (949_000.0, "900k"),
+    ] {
+        let mut one = matrix();
+        one.rows[0].1[1] = Grade::Missed(miss);
+        let svg = one.svg();
+        assert!(svg.contains(&format!(">{word}<")) && word.chars().count() <= 4, "{miss}: {svg}");
+    }
+}

@@ -158,8 +158,8 @@ fn heat(record: &Record) -> Grades {
             "As installed, the engines obey their law in {held} of {all} runs of {} laws",
             record.phenomena.len()
         ),
-        caption: "A number is the largest violation of the law in multiples of its tolerance; ✗: the run failed; –: the \
-                  engine or its adapter does not support the scene."
+        caption: "A number is the largest violation of the law in multiples of its tolerance, with k for thousands; ✗: the run \
+                  failed; –: the engine or its adapter does not support the scene."
             .into(),
         rows: record.phenomena.iter().map(row).collect(),
         groups: groups
