@@ -123,6 +123,9 @@ def test_rounding_in_a_symmetric_matrix_is_averaged():
     "arguments, words",
     [
         (dict(P=[[1, 2], [0, 1]]), "P: is not symmetric: P[0, 1] is 2.0, P[1, 0] is 0.0"),
+        (dict(P=[[1, 2], [0, 1]]), "all of P is required, not one triangle: give P + P.T - diag(P)"),
+        (dict(P=[[1, 0], [2, 1]]), "all of P is required, not one triangle: give P + P.T - diag(P)"),
+        (dict(P=[[1, 2], [1, 1]]), "give (P + P.T) / 2, which has the same objective"),
         (dict(P=[[1, 2]]), "P: has the shape (1, 2), must be 2 × 2"),
         (dict(G=[[1, 0, 0]], h=[1]), "G: has the shape (1, 3), must be m × 2"),
         (dict(G=[[1, 0]], h=[1, 2]), "h: has the shape (2,), G has 1 rows"),

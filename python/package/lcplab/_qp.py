@@ -222,11 +222,20 @@ def _symmetric(P: Block, n: int) -> Block:
     for (i, j), value in entries.items():
         other = entries.get((j, i), 0.0)
         if abs(value - other) > ROUNDING * n * largest:
-            reason = f"is not symmetric: P[{i}, {j}] is {value}, P[{j}, {i}] is {other}; give (P + P.T) / 2"
+            reason = f"is not symmetric: P[{i}, {j}] is {value}, P[{j}, {i}] is {other}; {_advice(entries)}"
             raise _invalid("P", reason)
         mean[i, j] = mean[j, i] = 0.5 * (value + other)
     places = np.array(list(mean), dtype=np.int64).reshape(len(mean), 2)
     return Block(places[:, 0].copy(), places[:, 1].copy(), np.array(list(mean.values()), dtype=np.float64))
+
+
+def _advice(entries: dict[tuple[int, int], float]) -> str:
+    """What to give instead of a P that is not symmetric."""
+    used = [place for place, value in entries.items() if value != 0.0]
+    if all(i <= j for i, j in used) or all(i >= j for i, j in used):
+        # Some programs read one triangle of a symmetric P.
+        return "all of P is required, not one triangle: give P + P.T - diag(P)"
+    return "give (P + P.T) / 2, which has the same objective"
 
 
 def _is_convex(P: Block, n: int, nonconvex: bool) -> bool:
