@@ -156,6 +156,21 @@ fn a_column_that_falls_although_it_can_stand_is_named() {
 }
 
 #[test]
+fn a_column_at_its_very_limit_may_fall() {
+    // It is on the limit but for rounding and for the tolerance of a friction model.
+    every(&[Scheme::Velocity, Scheme::Soft], |column, scheme, _| {
+        for placed in [on_slope, on_edge] {
+            for reserve in [1e-5, 3e-6, 0.0, -1e-6] {
+                let scene = placed(column, 1.0 - reserve, scheme);
+                let mut states = scene.states.clone();
+                states.last_mut().unwrap().pose.p.x += 0.2;
+                assert_eq!(Departure::of(&scene, &states), None, "{column:?}, {reserve}");
+            }
+        }
+    });
+}
+
+#[test]
 fn what_no_force_holds_may_leave_its_rest() {
     // A ball on a level floor rolls, and a bob above its pivot falls: no force stops a small push.
     let floor = "[[bodies]]\nname = \"floor\"\nfixed = true\nshape = { plane = [0, 0, 1] }\n";
