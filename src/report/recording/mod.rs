@@ -22,7 +22,8 @@ use crate::memory::Memory;
 use crate::report::study::tally::Tally;
 use crate::scene::Scene;
 use crate::simulation::{
-    Failure, Impact, Impacts, LawErrors, Motion, Simulation, Slips, Step, Warnings, carried,
+    Failure, Impact, Impacts, LawErrors, LostBounces, Motion, Simulation, Slips, Step, Warnings,
+    carried,
 };
 
 /// The text instead of the work if the forces were not recorded.
@@ -53,6 +54,7 @@ pub struct Record {
     laws: LawErrors,
     slips: Slips,
     impacts: Impacts,
+    lost_bounces: LostBounces,
     /// The impact that missed the law of restitution by most.
     worst_impact: Option<Impact>,
     energy_totals: Option<EnergyTotals>,
@@ -87,6 +89,7 @@ impl Record {
             laws: LawErrors::default(),
             slips: Slips::default(),
             impacts: Impacts::default(),
+            lost_bounces: LostBounces::default(),
             worst_impact: None,
             energy_totals: Some(EnergyTotals::default()),
             conflict: Vec::new(),
@@ -145,6 +148,7 @@ impl Record {
         self.laws = self.laws.worse(step.laws);
         self.slips.add(step);
         let ended = self.impacts.add(&self.scene, step);
+        self.lost_bounces.add(&self.scene, step);
         self.worst_impact = worse_of(self.worst_impact.into_iter().chain(ended));
         self.energy_totals = self
             .energy_totals

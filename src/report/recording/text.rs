@@ -133,6 +133,7 @@ impl Record {
         notes.extend(self.friction_in_words());
         notes.extend(self.departure_in_words());
         notes.extend(self.restitution_in_words());
+        notes.extend(self.lost_bounces.in_words(&self.scene));
         notes.extend(self.turning_in_words());
         notes.extend(unstable_springs(&self.scene));
         notes

@@ -9,8 +9,8 @@ use lcplab_mechanics::body::State;
 use lcplab_mechanics::constraint::{Bounds, Constraint, Row};
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{
-    Impact, ImpactEnergy, Impacts, InterpenetrationKind, Ledger, Motion, Slips, Step, Touch,
-    momentum_sizes,
+    Impact, ImpactEnergy, Impacts, InterpenetrationKind, Ledger, LostBounces, Motion, Slips, Step,
+    Touch, momentum_sizes,
 };
 use nalgebra::{Vector3, Vector6};
 use serde::{Deserialize, Serialize};
@@ -65,6 +65,9 @@ pub struct RunLaws {
     /// The largest |v⁺ + e v⁻| of an impact at one point, relative to its approach; none without
     /// such an impact.
     pub restitution: Option<f64>,
+    /// The impacts that lost their bounce because they were too slow for it, in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost_bounces: Option<String>,
     /// The largest angle (degrees) between friction and the direction opposite to sliding; none
     /// where nothing slides.
     pub friction_angle: Option<f64>,
@@ -117,6 +120,7 @@ pub(super) struct LawMonitor {
     passages: usize,
     slips: Slips,
     impacts: Impacts,
+    lost_bounces: LostBounces,
     restitution: Option<f64>,
 }
 
@@ -154,6 +158,7 @@ impl LawMonitor {
             passages: 0,
             slips: Slips::default(),
             impacts: Impacts::default(),
+            lost_bounces: LostBounces::default(),
             restitution: None,
         }
     }
@@ -177,6 +182,7 @@ impl LawMonitor {
         }
         self.slips.add(step);
         let ended = self.impacts.add(scene, step);
+        self.lost_bounces.add(scene, step);
         self.restitution = worst(self.restitution, ended.into_iter());
     }
 
@@ -251,6 +257,7 @@ impl LawMonitor {
             momentum: is_isolated.then(|| part(0)),
             angular_momentum: (is_isolated && scene.gravity == Vector3::zeros()).then(|| part(1)),
             restitution: worst(self.restitution, self.impacts.unfinished()),
+            lost_bounces: self.lost_bounces.in_words(scene),
             friction_angle: self
                 .slips
                 .friction_angle
@@ -272,7 +279,7 @@ fn rows(scene: &Scene, joint: &dyn Constraint) -> Vec<Row> {
 fn plastic_loss(scene: &Scene, touch: &Touch) -> f64 {
     let [a, b] = touch.bodies.map(|body| scene.bodies[body].mass.mass());
     let reduced = if a * b > 0.0 { a * b / (a + b) } else { a + b };
-    let is_slow = touch.approach > 0.0 && touch.approach <= scene.plastic_speed();
+    let is_slow = touch.approach > 0.0 && touch.approach < scene.plastic_speed();
     if is_slow { 0.5 * reduced * touch.approach.powi(2) } else { 0.0 }
 }
 

@@ -187,8 +187,9 @@ fn phase(scene: &Scene, before: &[State], step: &Step) -> Option<Phase> {
 
 /// The pairs that meet in a step.
 fn meeting<'s>(scene: &Scene, step: &'s Step) -> impl Iterator<Item = &'s Touch> {
-    let fast = (FAST * scene.gravity.norm() * scene.step.dt).max(scene.contact.bounce_speed);
-    step.touches.iter().filter(move |touch| touch.approach > fast)
+    let fast = FAST * scene.gravity.norm() * scene.step.dt;
+    let is_fast = move |own: &&Touch| own.approach > fast && scene.contact.bounces(own.approach);
+    step.touches.iter().filter(is_fast)
 }
 
 /// The speed of the fastest approach in a step (m/s).

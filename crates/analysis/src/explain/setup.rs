@@ -177,7 +177,7 @@ fn bias(scene: &Scene, problem: &Problem) -> String {
             "An impact takes no time, so there is no force and no bias, only J u⁺ ≥ 0.".into()
         }
         Stage::Restitution => format!(
-            "Contacts bounce if they have an impulse in the first answer and approached faster than {} m/s. They \
+            "Contacts bounce if they have an impulse in the first answer and approached at {} m/s or faster. They \
              have the bias e J u with e = {} and J u from the table, so w = J u⁺ + e J u ≥ 0 requires a separation at e \
              times the approach speed. The other rows keep their bias.",
             plain(contact.bounce_speed),

@@ -202,7 +202,7 @@ impl Problem {
     }
 
     /// The impulse LCP with restitution: w = J u⁺ + e J u⁻ ≥ 0 in the rows that closed under the
-    /// first answer x and had approached faster than `bounce_speed`; `None` if there is no such
+    /// first answer x and had approached at `bounce_speed` or faster; `None` if there is no such
     /// row.
     ///
     /// # Errors

@@ -85,9 +85,7 @@ pub(super) fn bouncing(problem: &Problem, scene: &Scene, x: &[f64]) -> Option<Ve
     };
     let is_fast = |row: &Row| {
         let approach = -row.velocity;
-        row.kind == Kind::Normal
-            && approach > scene.contact.bounce_speed
-            && e(row) * approach > least
+        row.kind == Kind::Normal && scene.contact.bounces(approach) && e(row) * approach > least
     };
     let rows = problem.assembly.rows.iter().enumerate().filter(|(_, row)| is_fast(row));
     let hits = rows.filter(|(i, row)| has_closed(x[*i], problem.lcp.row_w(*i, x), row.velocity));

@@ -219,7 +219,7 @@ impl Scene {
         Resting::of(self)
     }
 
-    /// The approach (m/s) up to which an impact does not bounce, whatever e is.
+    /// The approach (m/s) below which an impact does not bounce, whatever e is.
     pub fn plastic_speed(&self) -> f64 {
         match self.step.scheme {
             Scheme::Acceleration => self.contact.bounce_speed.max(self.resting().bounce),

@@ -272,6 +272,12 @@ impl Step {
 }
 
 impl Contacts {
+    /// Whether a contact with this speed of approach (m/s) bounces: not if it closes more slowly
+    /// than `bounce_speed`.
+    pub fn bounces(&self, approach: f64) -> bool {
+        approach > 0.0 && approach >= self.bounce_speed
+    }
+
     pub(super) fn check(&self, defects: &mut Defects) {
         not_negative(defects, "contact.margin", self.margin.unwrap_or(0.0));
         range::coefficient(defects, "contact.friction", self.friction);

@@ -71,8 +71,8 @@ pub(super) struct Impulses<'a> {
     pub feedback: Vec<f64>,
     /// u⁺ = u + M⁻¹(h F + Jᵀ X).
     pub next: Vec<f64>,
-    /// The speed (m/s) above which a contact that came near bounced; `None` where nothing did.
-    bounced_above: Option<f64>,
+    /// Which rows bounced.
+    bounced: Vec<bool>,
 }
 
 impl<'a> Impulses<'a> {
@@ -87,14 +87,18 @@ impl<'a> Impulses<'a> {
 
     fn answered(scene: &Scene, Solve { problem, solution, .. }: &'a Solve) -> Self {
         let x = problem.efforts(&solution.x);
+        let bounced = |row: &Row| {
+            problem.stage == Stage::Restitution
+                && row.kind == Kind::Normal
+                && scene.contact.bounces(-row.velocity)
+        };
         Impulses {
             assembly: &problem.assembly,
             h: problem.dt,
             x: x.into_iter().map(|x| impulse(problem, x)).collect(),
             feedback: (0..problem.bias.len()).map(|i| feedback(problem, i)).collect(),
             next: problem.next_velocity(&solution.x, problem.dt),
-            bounced_above: (problem.stage == Stage::Restitution)
-                .then_some(scene.contact.bounce_speed),
+            bounced: problem.assembly.rows.iter().map(bounced).collect(),
         }
     }
 
@@ -109,14 +113,13 @@ impl<'a> Impulses<'a> {
             x: impulses.clone(),
             feedback: feedback.clone(),
             next: assembly.u.iter().zip(change).map(|(u, change)| u + change).collect(),
-            bounced_above: bounces.then_some(f64::NEG_INFINITY),
+            bounced: assembly.rows.iter().map(|row| *bounces && row.kind == Kind::Normal).collect(),
         }
     }
 
     /// Whether the feedback of a row is a bounce.
-    pub fn bounces(&self, row: &Row) -> bool {
-        let bounced = |speed: f64| row.kind == Kind::Normal && row.velocity < -speed;
-        self.bounced_above.is_some_and(bounced)
+    pub fn bounces(&self, row: usize) -> bool {
+        self.bounced[row]
     }
 }
 

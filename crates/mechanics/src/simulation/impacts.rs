@@ -136,7 +136,7 @@ impl Impacts {
         for touch in step.touches.iter().filter(|touch| is_alone(scene, touch, &step.touches)) {
             let mut open = match before.get(&touch.bodies) {
                 Some(open) => *open,
-                None if touch.approach > (FAST * slack).max(scene.contact.bounce_speed) => {
+                None if touch.approach > FAST * slack && scene.contact.bounces(touch.approach) => {
                     Open { impact: begun(scene, touch, step.number), still: 0 }
                 }
                 None => continue,

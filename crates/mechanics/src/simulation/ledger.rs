@@ -180,7 +180,7 @@ impl Ledger {
             if matches!(row.bounds, Bounds::Bilateral | Bounds::Unilateral) && row.spring.is_none()
             {
                 let is_gap = row.bounds == Bounds::Unilateral && row.c > 0.0;
-                match impulses.bounces(row) {
+                match impulses.bounces(i) {
                     true => self.restitution += bias,
                     false if is_gap => self.gap += bias,
                     false => self.bias += bias,

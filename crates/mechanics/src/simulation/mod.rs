@@ -19,6 +19,7 @@ mod interpenetration;
 mod joint_work;
 mod laws;
 mod ledger;
+mod lost_bounces;
 mod motion;
 mod path;
 mod record;
@@ -42,6 +43,7 @@ pub use interpenetration::{Interpenetration, InterpenetrationKind, LASTING, NOTA
 pub use joint_work::JointWork;
 pub use laws::LawErrors;
 pub use ledger::Ledger;
+pub use lost_bounces::LostBounces;
 pub use motion::{Motion, carried, momentum_sizes};
 pub use record::{Cause, Failure, Recording, Solve, Step};
 pub use slip::{Creep, Slip, Slips};

@@ -76,7 +76,7 @@ impl Unlocated {
 /// Whether a contact bounced across a gap.
 fn bounces(scene: &Scene, contact: &Contact) -> bool {
     let (row, impulse) = contact.normal;
-    let is_fast = -row.velocity > scene.contact.bounce_speed;
+    let is_fast = scene.contact.bounces(-row.velocity);
     *impulse > 0.0 && row.c > 0.0 && is_fast && scene.restitution(row.bodies) > 0.0
 }
 

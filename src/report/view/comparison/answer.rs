@@ -43,7 +43,9 @@ fn of_scheme_in_words(runs: &[Run], steps: usize, thinnest: f64) -> String {
     }
     let cause = best.laws.impact.as_ref().filter(|_| !best.laws.keeps_energy());
     let cause = cause.map_or(String::new(), |impact| format!(" First, {impact}"));
-    format!("{scheme}: {}.{cause}", says.join("; "))
+    let lost =
+        best.laws.lost_bounces.as_ref().map_or(String::new(), |lost| format!(" Note: {lost}."));
+    format!("{scheme}: {}.{cause}{lost}", says.join("; "))
 }
 
 /// How many solvers keep gaps and joints within tolerance, and why the others do not.

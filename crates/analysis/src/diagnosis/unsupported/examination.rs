@@ -115,6 +115,8 @@ pub struct Examination {
     /// Defects of steps although every problem was solved: bodies that overlap or passed through
     /// each other, impacts whose energy contradicts the coefficient of restitution.
     pub warnings: Vec<String>,
+    /// The impacts that lost their bounce because they were too slow for it, in words.
+    pub lost_bounces: Option<String>,
     /// Causes of wrong motion even if every problem is solved, the strongest first.
     pub moving: Vec<Moving>,
     /// The step that was examined, and the result; `None` if no solution is known.
@@ -304,6 +306,7 @@ impl Examination {
             ));
         }
         lines.extend(self.warnings.iter().map(|warning| format!("Warning: {warning}")));
+        lines.extend(self.lost_bounces.iter().map(|lost| format!("Note: {lost}.")));
         if !self.ruled_out.is_empty() {
             lines.push(format!("Ruled out: {}.", self.ruled_out.join("; ")));
         }
@@ -438,6 +441,7 @@ impl Examination {
             "seconds": self.time,
             "sunk": sunk,
             "warnings": self.warnings,
+            "lost_bounces": self.lost_bounces,
             "solve": self.unsupported.as_ref().map(UnsupportedLoad::to_json),
             "remedies": self.remedy_effects.iter().map(remedy_effect).collect::<Vec<_>>(),
             "steps": self.notes.iter().map(note).collect::<Vec<_>>(),

@@ -8,7 +8,7 @@ use lcplab_lcp::{Lcp, merit};
 use lcplab_mechanics::body::State;
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
-use lcplab_mechanics::simulation::{self, Simulation, Slips, Solve, Step, Warnings};
+use lcplab_mechanics::simulation::{self, LostBounces, Simulation, Slips, Solve, Step, Warnings};
 use lcplab_solver::{Dantzig, Order, Pgs, Status};
 
 use super::examination::{Examination, StepSummary, first_bad_step};
@@ -77,6 +77,7 @@ pub fn examine_scene(scene: &Scene, step: Option<usize>) -> Result<Examination> 
     let mut found = Examination {
         notes: run.notes,
         warnings: run.warnings,
+        lost_bounces: run.lost_bounces,
         gave_up: run.gave_up.clone(),
         ended: run.ended.clone(),
         ..Examination::default()
@@ -186,6 +187,8 @@ struct RunResult {
     notes: Vec<StepSummary>,
     solves: Vec<Option<Solve>>,
     warnings: Vec<String>,
+    /// The impacts that lost their bounce, in words.
+    lost_bounces: Option<String>,
     /// Why a step could not be computed, if so.
     ended: Option<String>,
     /// Why the solver gave up, in the first step in which it did.
@@ -231,7 +234,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<RunResult> {
     let (mut gained, mut kinetic, mut error, mut drift) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
     let mut is_compared = true;
     let (mut warnings, mut ended, mut given_up) = (Warnings::default(), None, None);
-    let mut slips = Slips::default();
+    let (mut slips, mut lost_bounces) = (Slips::default(), LostBounces::default());
     while notes.len() < count && is_compared {
         let step = match simulation.step() {
             Ok(step) => step,
@@ -246,6 +249,7 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<RunResult> {
         error = error.max(step.motion.drift).max(step.motion.penetration);
         warnings.add(scene, &step);
         slips.add(&step);
+        lost_bounces.add(scene, &step);
         given_up = given_up.or_else(|| gave_up(scene, &step));
         let solve = main_solve(&step);
         is_compared = solve.is_none_or(|solve| solve.problem.lcp.len() <= LARGEST);
@@ -270,7 +274,17 @@ fn go(scene: &Scene, count: usize, every: usize) -> Result<RunResult> {
     let springs = simulation::unstable_springs(scene).into_iter();
     let warnings = springs.chain(warnings.texts()).chain(drifted(scene, drift)).collect();
     let tolerance = scene.solver.tolerance;
-    Ok(RunResult { notes, solves, warnings, ended, gave_up: given_up, tolerance, end })
+    let lost_bounces = lost_bounces.in_words(scene);
+    Ok(RunResult {
+        notes,
+        solves,
+        warnings,
+        lost_bounces,
+        ended,
+        gave_up: given_up,
+        tolerance,
+        end,
+    })
 }
 
 /// The solver's message in a step in which it gave up and the judge does not accept its answer, if

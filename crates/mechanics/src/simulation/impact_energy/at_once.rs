@@ -22,7 +22,8 @@ use crate::scene::{ContactId, Scene};
 use crate::simulation::Solve;
 use crate::simulation::interpenetration::{faster_first, thickness};
 
-/// Energies below this part of the kinetic energy and of the work of all impulses are rounding.
+/// Energies below this part of the kinetic energy and of the work of all impulses are rounding, and
+/// so is this part of the speed below which nothing bounces.
 const ROUNDING: f64 = 1e-11;
 /// The factor on the solver's tolerance up to which its answer may be off.
 const INEXACT: f64 = 10.0;
@@ -124,7 +125,7 @@ impl<'a> Impulses<'a> {
             // What other impulses give it counts too: its speed if it did not push itself.
             let mobility = problem.lcp.matrix().diagonal(i);
             let approach = row.velocity.min(after[i] - mobility * impulse);
-            let is_slow = !is_bounced && approach > -slow;
+            let is_slow = !is_bounced && -approach < (1.0 + ROUNDING) * slow;
             contacts.push(Contact {
                 id,
                 normal: i,

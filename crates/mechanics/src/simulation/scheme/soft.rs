@@ -187,7 +187,7 @@ fn firm_aim(row: &Row, h: f64) -> Option<RowTarget> {
 /// Whether a contact with restitution approaches so fast that it bounces.
 fn is_fast(scene: &Scene, row: &Row) -> bool {
     row.kind == Kind::Normal
-        && row.velocity < -scene.contact.bounce_speed
+        && scene.contact.bounces(-row.velocity)
         && scene.restitution(row.bodies) > 0.0
 }
 

@@ -257,7 +257,7 @@ fn correct_contact_velocity(
             Kind::Friction => row.speed,
             Kind::Normal => {
                 approach = Lever::new(scene, constraint, &old[k], before).velocity;
-                let bounces = approach < -scene.contact.bounce_speed;
+                let bounces = scene.contact.bounces(-approach);
                 let arrives = bounces && row.c <= ARRIVED * scene.step.dt * -approach;
                 if x[k] <= 0.0 && !arrives {
                     continue;

@@ -83,7 +83,7 @@ impl Rows {
             let e = if row.kind == Kind::Normal { asking.scene.restitution(bodies) } else { 0.0 };
             if e > 0.0 {
                 let speed = scaled.rate(&masses.before);
-                if speed < -asking.bounce_speed {
+                if asking.scene.contact.bounces(-speed) {
                     self.approaching.push((first + k, speed, e));
                 }
             }
@@ -135,7 +135,6 @@ struct RowRequest<'a> {
     dt: f64,
     bias: Bias,
     scene: &'a Scene,
-    bounce_speed: f64,
 }
 
 impl<'a> RowRequest<'a> {
@@ -145,7 +144,6 @@ impl<'a> RowRequest<'a> {
             dt: scene.step.dt,
             bias: Bias::new(scene, scene.step.baumgarte),
             scene,
-            bounce_speed: scene.contact.bounce_speed,
         }
     }
 

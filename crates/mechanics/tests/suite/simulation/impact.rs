@@ -2,7 +2,7 @@
 
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
-use lcplab_mechanics::simulation::Simulation;
+use lcplab_mechanics::simulation::{LostBounces, Simulation, Warnings};
 use lcplab_solver as solver;
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -77,6 +77,66 @@ fn slow_approach_does_not_bounce() {
     let mut ball = simulation(scene);
     ball.step().unwrap();
     assert_eq!(ball.states()[1].v.z, 0.0);
+}
+
+#[test]
+fn an_approach_at_exactly_the_threshold_bounces_and_a_slower_one_does_not() {
+    let schemes = [Scheme::Velocity, Scheme::Acceleration, Scheme::Soft, Scheme::Xpbd];
+    for scheme in schemes.into_iter().chain([Scheme::SplitImpulse, Scheme::SequentialImpulses]) {
+        // It touches, or it closes a gap within the third step.
+        for (height, speed) in [0.0, 0.0125].iter().flat_map(|h| [(*h, 0.5), (*h, 0.499)]) {
+            let mut scene = drop_from(height, 1.0, 0.01, scheme);
+            scene.gravity.z = 0.0;
+            scene.states[1].v.z = -speed;
+            scene.contact.bounce_speed = 0.5;
+            let mut warnings = Warnings::default();
+            let mut ball = simulation(scene.clone());
+            for _ in 0..6 {
+                warnings.add(&scene, &ball.step().unwrap());
+            }
+            let after = if speed == 0.5 { speed } else { 0.0 };
+            let what = format!("{scheme:?}, {height} m, {speed} m/s: {:?}", warnings.texts());
+            assert!((ball.states()[1].v.z - after).abs() < 1e-9, "{what}");
+            assert!(warnings.as_slice().is_empty(), "{what}");
+        }
+    }
+}
+
+/// What is said of lost bounces after a number of steps.
+fn lost(scene: &Scene, steps: usize) -> Option<String> {
+    let (mut running, mut lost) = (simulation(scene.clone()), LostBounces::default());
+    (0..steps).for_each(|_| lost.add(scene, &running.step().unwrap()));
+    lost.in_words(scene)
+}
+
+#[test]
+fn an_impact_that_loses_its_bounce_is_named() {
+    let schemes = [Scheme::Velocity, Scheme::Acceleration, Scheme::Soft, Scheme::Xpbd];
+    for scheme in schemes.into_iter().chain([Scheme::SplitImpulse, Scheme::SequentialImpulses]) {
+        // It closes 0.0225 m at 0.9 m/s within the third step.
+        let mut scene = drop_from(0.0225, 0.8, 0.01, scheme);
+        scene.gravity.z = 0.0;
+        scene.states[1].v.z = -0.9;
+        scene.contact.bounce_speed = 1.0;
+        let words = "restitution 0.8 was not applied to an impact below contact.bounce_speed = 1 m/s; \
+                     it had 0.9 m/s (\"ball\" on \"ground\", step 3)";
+        assert_eq!(lost(&scene, 20).as_deref(), Some(words), "{scheme:?}");
+        scene.contact.bounce_speed = 0.9;
+        assert_eq!(lost(&scene, 20), None, "{scheme:?}: it bounces");
+    }
+}
+
+#[test]
+fn a_rest_and_the_last_bounces_before_it_lose_nothing() {
+    for scheme in Scheme::ALL {
+        for (height, e, dt) in [(0.0, 0.8, 0.01), (0.3, 0.5, 0.001), (0.3, 0.5, 0.01)] {
+            let scene = drop_from(height, e, dt, scheme);
+            assert_eq!(lost(&scene, (1.0 / dt) as usize), None, "{scheme:?}, {height} m, {dt} s");
+        }
+        let mut scene = drop_from(0.01, 0.0, 0.001, scheme);
+        scene.contact.bounce_speed = 1.0;
+        assert_eq!(lost(&scene, 100), None, "{scheme:?}: without restitution");
+    }
 }
 
 #[test]
