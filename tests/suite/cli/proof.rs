@@ -118,6 +118,28 @@ fn a_cone_is_explained_as_a_cone_and_judged_as_one() {
 }
 
 #[test]
+fn isolated_solutions_are_not_listed_as_corners() {
+    // w₁ = x₂ and w₂ = 1 − x₁ − x₂ vanish where x > 0: at (t, 0), 0 ≤ t ≤ 1, and at (0, 1) alone.
+    let (_folder, problem, _) = folder(r#"{"A": {"dense": [[0, 1], [-1, -1]]}, "b": [0, 1]}"#);
+    let all = out(&lcplab("prove", &[&problem], &["--all"]));
+    let words = "There are infinitely many solutions, in one part, and one isolated:\n\
+                 every point between\n  x = (0, 0)\n  x = (1, 0)\nisolated\n  x = (0, 1)\n";
+    assert_eq!(all, words);
+}
+
+#[test]
+fn corners_that_look_alike_are_listed_once() {
+    // w₃ ≥ 0 and w₂ ≥ 0 hold x₁ between 0.333333333 and 0.33333333333, with x₂ = x₃ = 0.
+    let (_folder, problem, _) = folder(
+        r#"{"A": {"dense": [[0, 1, 1], [-1, -1, 0], [1, 0, -1]]}, "b": [0, 0.33333333333, -0.333333333]}"#,
+    );
+    let all = out(&lcplab("prove", &[&problem], &["--all"]));
+    let words = "There are infinitely many solutions:\nevery point between\n  x = (0.333333, 0, 0)\n  \
+                 and 1 more point, which differs by less than the digits shown: see --json\n";
+    assert_eq!(all, words);
+}
+
+#[test]
 fn a_negative_distance_bound_or_residual_is_bad_input_in_one_line() {
     let (_folder, problem, proof) = folder(r#"{"A": {"dense": [[2]]}, "b": [-1]}"#);
     let hash = "648314a8cb7843f1eee098ca3be4e42c2a841353525801c2703e87d95819ee84";
