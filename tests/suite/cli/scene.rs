@@ -300,3 +300,19 @@ fn the_torque_of_a_gear_is_no_error_of_the_scheme() {
         assert!(!text.contains("angular momentum"), "{scheme}: {text}");
     }
 }
+
+#[test]
+fn simulate_compare_and_diagnose_name_an_impact_that_lost_its_bounce() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("slow.toml");
+    let text = "gravity = [0, 0, 0]\nstep.count = 10\n[contact]\nrestitution = 0.8\nbounce_speed = 1\n\
+                [[bodies]]\nname = \"wall\"\nfixed = true\nshape = { plane = [1, 0, 0] }\n\
+                [[bodies]]\nname = \"ball\"\nmass = 1\nshape = { sphere = 0.1 }\nposition = [0.11, 0, 0]\n\
+                velocity = [-0.9, 0, 0]\n";
+    std::fs::write(&path, text).unwrap();
+    for command in ["simulate", "compare", "diagnose"] {
+        let told = out(&run(&[command, path.to_str().unwrap()]));
+        let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(told.contains("restitution 0.8 was not applied to an impact"), "{command}: {told}");
+    }
+}
