@@ -337,7 +337,7 @@ impl Record {
         format!(", {percent} % of the scene's size at the start; {remedy}")
     }
 
-    /// The moving bodies that the output lists, with their current states, and the number of others.
+    /// The moving bodies that the output lists, with their states, and the number of the others.
     pub(crate) fn listed(&self) -> (Vec<(&Body, &State)>, usize) {
         let bodies = self.scene.bodies.iter().zip(&self.states);
         let mut moving: Vec<_> = bodies.filter(|(body, _)| body.mass.dof() > 0).collect();

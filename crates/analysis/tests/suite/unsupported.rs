@@ -555,9 +555,9 @@ fn joints_that_come_apart_in_steps_that_are_too_long_are_named() {
     assert!(warnings(0.001).is_empty());
 }
 
-/// A ball of 4 m/s between walls with gaps of 5 and 15 mm, e = 1: the bounce on the second wall asks
-/// for at least 4 m/s, and the gap of the first allows 0.5 m/s. The first solve of the step has a
-/// solution, the one with restitution has none.
+/// A ball of 4 m/s between walls with gaps of 5 and 15 mm, e = 1: the bounce on the second wall
+/// asks for at least 4 m/s, and the gap of the first allows 0.5 m/s. The first solve of the step
+/// has a solution, the one with restitution has none.
 #[test]
 fn a_bounce_without_a_solution_is_the_first_cause_and_its_rows_are_named() {
     let text = "gravity = [0, 0, 0]\ncontact.restitution = 1\nstep.count = 10\n\
