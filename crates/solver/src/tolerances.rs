@@ -158,6 +158,20 @@ pub(crate) const DUST: f64 = 64.0 * f64::EPSILON;
 /// a_ii and Ĵ_i Ĵ_iᵀ count as equal up to this relative difference: far above rounding, far below
 /// any compliance that matters.
 pub(crate) const SAME_DIAGONAL: f64 = 1e-9;
+/// Newton's method for cones begins with this fraction ε of each row's scale added to the diagonal
+/// of A: the solution of such a compliant problem is near the start x = 0.
+pub(crate) const FIRST_ADDED_DIAGONAL: f64 = 0.1;
+/// The factor on ε from one problem to the next: the solution of one is then a good start for the
+/// next.
+pub(crate) const ADDED_DIAGONAL_FACTOR: f64 = 0.25;
+/// The last ε: below it, A with the added diagonal is A up to rounding.
+pub(crate) const LAST_ADDED_DIAGONAL: f64 = 1e-12;
+/// Newton's method for cones ends when its equations hold to this fraction of |b|, which is a few
+/// hundred units of rounding.
+pub(crate) const EQUATIONS_HOLD: f64 = 1e-13;
+/// A step of Newton's method for cones is taken if the residual decreases by at least this fraction
+/// of the predicted decrease.
+pub(crate) const ENOUGH_DECREASE: f64 = 0.1;
 
 // Theory.
 

@@ -6,8 +6,8 @@ use proptest::prelude::*;
 /// Motors (N m or N): masses weigh about ten newtons, so the first is unlimited and the second
 /// limited.
 pub const EFFORTS: [f64; 2] = [1e6, 5.0];
-/// The mechanisms. Bricard's ring moves only in exact positions: once it has drifted, its rows leave
-/// no degree of freedom.
+/// The mechanisms. Bricard's ring moves only in exact positions: once it has drifted, its rows
+/// leave no degree of freedom.
 pub const MECHANISMS: [&str; 9] = [
     "a door on two hinges",
     "a door on three hinges",

@@ -240,8 +240,8 @@ pub struct Pair {
     /// given.
     #[serde(default)]
     pub static_friction: Option<f64>,
-    /// The direction (in the first body's axes) along which `friction` holds; `friction_across` holds
-    /// across it.
+    /// The direction (in the first body's axes) along which `friction` holds; across it,
+    /// `friction_across` holds.
     #[serde(default)]
     pub friction_direction: Option<[f64; 3]>,
     /// Coefficient of friction across `friction_direction`, above 0.

@@ -274,6 +274,14 @@ impl Step {
 impl Contacts {
     /// Whether a contact with this speed of approach (m/s) bounces: not if it closes more slowly
     /// than `bounce_speed`.
+    ///
+    /// ```
+    /// use lcplab_mechanics::scene::Contacts;
+    ///
+    /// let mut contact = Contacts::default();
+    /// contact.bounce_speed = 0.5;
+    /// assert_eq!([0.4, 0.5, 0.6].map(|approach| contact.bounces(approach)), [false, true, true]);
+    /// ```
     pub fn bounces(&self, approach: f64) -> bool {
         approach > 0.0 && approach >= self.bounce_speed
     }

@@ -50,6 +50,23 @@ impl Scene {
 
     /// The direction along which two bodies have their friction, if it differs across, and the body
     /// (of the scene) on which it is.
+    ///
+    /// ```
+    /// use lcplab_mechanics::scene::Scene;
+    ///
+    /// let text = "
+    ///     bodies = [
+    ///         { name = 'ice', shape = { plane = [0, 0, 1] }, fixed = true, friction = 1 },
+    ///         { name = 'ski', shape = { box = [1.7, 0.1, 0.02] }, mass = 5, friction = 0.04,
+    ///           friction_direction = [1, 0, 0], friction_across = 0.36 },
+    ///     ]";
+    /// let scene = Scene::from_toml("ski", text)?;
+    /// // Geometric means with the ice: 0.2 along the ski, 0.6 across it.
+    /// let (body, surface) = scene.anisotropy([0, 1]).unwrap();
+    /// assert_eq!((body, scene.friction([0, 1])), (1, 0.2));
+    /// assert!((surface.ratio - 3.0).abs() < 1e-15);
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
     pub fn anisotropy(&self, [a, b]: [usize; 2]) -> Option<(usize, Anisotropy)> {
         let stated = self.stated([a, b]);
         if stated.friction.is_some() {

@@ -22,26 +22,21 @@ use std::ops::ControlFlow;
 use nalgebra::{DMatrix, DVector};
 
 use crate::iterate::iterate;
+use crate::tolerances::{
+    ADDED_DIAGONAL_FACTOR, ENOUGH_DECREASE, EQUATIONS_HOLD, FIRST_ADDED_DIAGONAL,
+    LAST_ADDED_DIAGONAL,
+};
 use crate::{ConeSolver, Event, Observer, Settings, Solution, Start, Status};
 use lcplab_lcp::Complementarity;
 use lcplab_lcp::friction::{ConeProblem, Contact, Law};
 
-/// The first ε.
-const FIRST: f64 = 0.1;
-/// Its factor from one problem to the next.
-const FACTOR: f64 = 0.25;
 /// The factors on the scales in the projections, tried one after the other: they do not change the
 /// solutions, but the path of Newton's method.
 const STIFFNESSES: [f64; 5] = [1e-2, 1e-3, 1.0, 0.1, 1e-4];
-/// The last ε, below which A + ε S is A up to rounding.
-const LAST: f64 = 1e-12;
 /// Newton steps for each ε.
 const STEPS: usize = 30;
-/// Newton's method ends where the equations hold to this part of |b|.
-const CONVERGED: f64 = 1e-13;
-/// The lengths of a step that are tried, and the part of the predicted decrease that is enough.
+/// The lengths of a step that are tried.
 const LENGTHS: [f64; 6] = [1.0, 0.5, 0.25, 0.1, 0.03, 0.01];
-const DECREASE: f64 = 0.1;
 
 /// Newton's method for cones under Coulomb's law.
 #[derive(Debug, Clone, Default)]
@@ -72,16 +67,16 @@ impl ConeSolver for ConeNewton {
             Err(status) => return Solution::outside_class(problem, x, status, 0, &self.settings),
         };
         let first = DVector::from_vec(x.clone());
-        let (mut y, mut epsilon, mut least) = (first.clone(), FIRST, f64::INFINITY);
+        let (mut y, mut epsilon, mut least) = (first.clone(), FIRST_ADDED_DIAGONAL, f64::INFINITY);
         let mut stiffnesses = STIFFNESSES.into_iter();
         let mut stiffness = stiffnesses.next();
         iterate(problem, x, 0, &self.settings, observer, |x| {
-            if epsilon < LAST {
-                (y, epsilon, stiffness) = (first.clone(), FIRST, stiffnesses.next());
+            if epsilon < LAST_ADDED_DIAGONAL {
+                (y, epsilon, stiffness) = (first.clone(), FIRST_ADDED_DIAGONAL, stiffnesses.next());
             }
             let Some(stiffness) = stiffness else { return ControlFlow::Break(Status::Stalled) };
             y = equations.solved(epsilon, stiffness, y.clone());
-            epsilon *= FACTOR;
+            epsilon *= ADDED_DIAGONAL_FACTOR;
             let candidate = equations.within_bounds(&y);
             let residual = problem.scaled_residual(&candidate);
             if residual < least {
@@ -127,7 +122,7 @@ impl<'p> Equations<'p> {
     fn solved(&self, epsilon: f64, stiffness: f64, mut x: DVector<f64>) -> DVector<f64> {
         let mut a = self.a.clone();
         (0..x.len()).for_each(|i| a[(i, i)] += epsilon * self.scales[i]);
-        let goal = CONVERGED * self.b.norm();
+        let goal = EQUATIONS_HOLD * self.b.norm();
         let (mut value, mut derivative) = self.at(&a, stiffness, &x);
         for _ in 0..STEPS {
             let size = value.norm();
@@ -139,8 +134,9 @@ impl<'p> Equations<'p> {
                 let next = &x + length * &step;
                 (length, self.at(&a, stiffness, &next).0.norm(), next)
             });
-            let is_enough =
-                |(length, norm, _): &&(f64, f64, _)| *norm < size * (1.0 - DECREASE * length);
+            let is_enough = |(length, norm, _): &&(f64, f64, _)| {
+                *norm < size * (1.0 - ENOUGH_DECREASE * length)
+            };
             let shortest = || tried.iter().min_by(|one, other| one.1.total_cmp(&other.1));
             let Some((_, norm, next)) = tried.iter().find(is_enough).or_else(shortest) else {
                 break;
