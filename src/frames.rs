@@ -39,7 +39,7 @@ impl Frame {
     /// # Errors
     /// If the folder cannot be read, or a problem in it has no answer, or an answer no problem; one
     /// line for each.
-    pub(crate) fn find(path: &Path, most: Memory) -> Result<Vec<Frame>> {
+    pub fn find(path: &Path, most: Memory) -> Result<Vec<Frame>> {
         if !path.is_dir() {
             return Ok(vec![Frame { path: path.into() }]);
         }
@@ -71,7 +71,7 @@ impl Frame {
     }
 
     /// The path of the problem, as text.
-    pub(crate) fn name(&self) -> String {
+    pub fn name(&self) -> String {
         self.path.display().to_string()
     }
 
@@ -79,7 +79,7 @@ impl Frame {
     ///
     /// # Errors
     /// If a file cannot be read within this memory or is not one of a frame, or there is no answer.
-    pub(crate) fn read(&self, most: Memory) -> Result<(Value, Value)> {
+    pub fn read(&self, most: Memory) -> Result<(Value, Value)> {
         let problem = self.problem(most)?;
         let beside = self.answer_path();
         if file::is_there(&beside) {

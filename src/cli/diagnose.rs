@@ -29,7 +29,7 @@ use super::{Outcome, bar, print, read_problem};
 /// Explain why bodies sink, why a problem has no solution or several, or which mistake produced an
 /// answer
 #[derive(Debug, Args)]
-#[command(mut_arg("format", without_answer), mut_arg("out", without_answer))]
+#[command(mut_args(without_answer))]
 #[command(after_help = "\
 Examples:
   lcplab diagnose mass_ratio3 --solver pgs --sweeps 10   # why do the boxes sink, and what helps?
@@ -106,8 +106,11 @@ pub struct Diagnose {
     writing: Writing,
 }
 
-/// An option whose help says that it does not apply with ANSWER.
+/// The option, whose help says if it does not apply with ANSWER.
 fn without_answer(option: Arg) -> Arg {
+    if !matches!(option.get_id().as_str(), "format" | "out") {
+        return option;
+    }
     let help = option.get_help().map(ToString::to_string).unwrap_or_default();
     option.help(help.replacen(" [default:", ", without ANSWER [default:", 1))
 }

@@ -108,7 +108,8 @@ pub struct Timed {
 
 impl Results {
     /// The results of a report before its first task.
-    pub(crate) fn empty(experiment: &Experiment) -> Self {
+    #[doc(hidden)] // for the fuzz targets
+    pub fn empty(experiment: &Experiment) -> Self {
         Results {
             version: env!("CARGO_PKG_VERSION").to_string(),
             libraries: libraries(),

@@ -2,7 +2,7 @@
 //!
 //! A grid file ([`Grid`]) defines what varies; its [`Plan`] numbers the points. Each point is an
 //! independent task, for any thread or machine ([`measure`](mod@measure)); a [`Folder`] stores the
-//! results, and [`collect`] combines them, bitwise identical regardless of how they were computed.
+//! results, and `collect` combines them, bitwise identical regardless of how they were computed.
 //!
 //! ```toml
 //! title = "A block on a slope"
@@ -55,7 +55,8 @@ pub use collect::{Collection, Point, collect};
 pub use file::{Axis, Grid};
 pub use folder::{Folder, Machine, Record};
 pub use measure::Finding;
+pub use page::plan_table;
+pub(crate) use page::show_seconds;
 pub use page::{document, show};
-pub(crate) use page::{plan_table, show_seconds};
 pub use plan::{Plan, Task};
 pub use theory::{Predicted, Theory};

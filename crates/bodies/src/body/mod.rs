@@ -79,6 +79,7 @@ impl Body {
     ///     shape: Shape::Point,
     ///     friction: 0.0,
     ///     static_friction: None,
+    ///     anisotropy: None,
     ///     restitution: None,
     ///     force: 10.0 * Vector3::z(),
     ///     force_at: Vector3::x(),

@@ -43,6 +43,7 @@ use crate::body::{Anisotropy, Pose, State, stack};
 ///     radii: [0.0, 0.5],
 ///     normal: Normal::Face(Vector3::z()),
 ///     friction: 0.0,
+///     anisotropy: None,
 /// };
 /// let pose = Pose { p: 0.75 * Vector3::z(), ..Pose::default() };
 /// let ball = State { pose, ..State::WORLD };

@@ -74,7 +74,7 @@ pub(crate) fn show_seconds(
 }
 
 /// The table that `grid plan` prints: the first tasks with their varying settings.
-pub(crate) fn plan_table(grid: &Grid, plan: &Plan, rows: usize) -> Table {
+pub fn plan_table(grid: &Grid, plan: &Plan, rows: usize) -> Table {
     let columns =
         ["task"].into_iter().map(String::from).chain(plan.axes.iter().map(|p| grid.label(p)));
     let cells = |task: &Task| {
