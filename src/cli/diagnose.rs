@@ -86,7 +86,8 @@ pub struct Diagnose {
     /// List the known mistakes: what each computes, and what to check
     #[arg(long, conflicts_with_all = ["input", "solver", "max_iterations", "step", "format", "out", "plugin", "set"])]
     mistakes: bool,
-    /// Examine the scene at the beginning of this step, counted from 1, without ANSWER [default: 1]
+    /// Examine the scene at the beginning of this step, counted from 1; not with ANSWER [default:
+    /// 1]
     #[arg(long, value_parser = clap::value_parser!(u64).range(1..))]
     step: Option<u64>,
     /// Solver to examine [default: the scene's; for a problem none]
@@ -112,7 +113,7 @@ fn without_answer(option: Arg) -> Arg {
         return option;
     }
     let help = option.get_help().map(ToString::to_string).unwrap_or_default();
-    option.help(help.replacen(" [default:", ", without ANSWER [default:", 1))
+    option.help(help.replacen(" [default:", "; not with ANSWER [default:", 1))
 }
 
 impl Diagnose {

@@ -35,12 +35,14 @@ it with the solver's x, the correct x and a regression test. The measure of a fa
 failure is the number of rows, and the smallest wins. The same seed finds the same problem. The options --n, --class, \
 --friction, --from, --evaluations, --at-least, --omega and --out apply only with --measure.
 
+A false claim: a solver reports an x as solved that the judge rejects, or reports that no solution exists although one does.
+
 Exit codes:
   0  no false claim, even if a search for another measure found a problem
   1  a claim is false, or a solver that you name solves no problem
   2  invalid input or usage")]
 pub struct Challenge {
-    /// Number of problems, without --measure
+    /// Number of problems; applies only if --measure is not given
     #[arg(long, default_value_t = 10_000)]
     problems: usize,
     /// Random seed
@@ -50,7 +52,7 @@ pub struct Challenge {
     #[arg(long)]
     solver: Vec<String>,
     #[arg(long, help = format!(
-        "Use problems with friction under this model: {} [default: with --from the model of the \
+        "Use problems with friction under this model: {} [default with --from: the model of the \
          files]",
         model_names()
     ))]

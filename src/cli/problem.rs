@@ -45,8 +45,8 @@ Examples:
   lcplab solve stack.json --solver sor --omega 1.7 --trace trace.csv --plot trace.svg
   lcplab solve problem.json --plugin \"python3 mine.py\"   # your own solver, in any language
 
-Friction rows are solved as a coupled box unless --model, the key \"model\" of the file, or a solver for \
-friction cones selects another model.
+Friction rows are solved as a coupled box unless --model or the key \"model\" of the file selects another model. \
+Without either, --solver cone-pgs selects coulomb-cone.
 
 Exit codes:
   0  the judge accepts the answer

@@ -33,9 +33,10 @@ test, 0.5 %; two runs of equal length need at least 5 errors each). Errors below
 as worse.
 
 Exit codes:
-  0  the run is ok, or the baseline was written. A run is ok if the baseline lists all rejected frames as rejected, at least \
-one frame (without a baseline: at least half of the frames with rows) has the verdict ok or wrong, no frame and no \
-check of the baseline is missing, and the run is not worse
+  0  the run is ok, or the baseline was written. A run is ok if each rejected frame is rejected at the same \
+stage in the baseline (without a baseline: no frame is rejected), at least one frame (without a baseline: at least half \
+of the frames with rows) has the verdict ok or wrong, no frame and no check of the baseline is missing, and the run is \
+not worse
   1  the run is not ok
   2  invalid input or usage, such as a frame without an answer or a negative compliance")]
 pub struct Receipts {

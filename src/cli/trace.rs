@@ -20,7 +20,7 @@ pub struct Tracing {
     /// Write the residuals and the objective of each iterate to this CSV file
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
-    /// Plot the residuals of the iterates to this SVG file, for pgs, sor and ssor with the
+    /// Plot the residuals of the iterates to this SVG file; for pgs, sor and ssor also with the
     /// theoretical rate
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,

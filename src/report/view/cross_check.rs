@@ -32,7 +32,7 @@ impl View for Plan {
         );
         document.text(
             "The two optimal values must have the same size and opposite signs. If contacts are redundant, $x$ \
-             is not unique: the rank of $A$ on the free rows is less than their number, and $x$ may differ \
+             is not unique: the rank of $A$ on the free rows (those with $w = 0$) is less than their number, and $x$ may differ \
              while $w$ and the motion $u$ agree. In this case lcplab bounds the distance of its motion from the \
              exact motion $\\hat u$, instead of the distance between two $x$. For any feasible $u$ and $x$, with the objective $P(u)$ above and \
              $D(x) = \\tfrac12 x^T A x + b^T x$,",

@@ -31,7 +31,7 @@ impl View for Plan {
                  which linear constraints only approximate. Solvers use one of these sets:\n\n\
                  - **Frozen box**: each tangent has its own bounds, $\\pm\\mu$ times a known normal impulse. In a single problem it comes from a solve *without* friction; in a simulation, from the previous step (0 in the first step of a contact). The set is a square of fixed size.\n\
                  - **Coupled box**: the same square, with the current $x_n$. The scenes of this report use it.\n\
-                 - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP with one additional unknown for each corner, solved by Lemke's method.\n\
+                 - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP in which one unknown for each corner and one for the sliding speed replace the two tangents, solved by Lemke's method.\n\
                  - **Cone**: the disk itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
                  A block of 1 kg lies on the floor and is pushed along it. It is pressed down so that \
                  $\\mu x_n = 1$ N s. $A$ is the identity: no impulse changes the $w$ of another row. The friction impulse \

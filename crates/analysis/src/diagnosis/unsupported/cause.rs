@@ -13,11 +13,12 @@ const DIGITS: usize = 2;
 /// A body that moves less than this (m) counts as not moving.
 const NOWHERE: f64 = 1e-6;
 
-/// The number of sweeps without a cause that is responsible for this factor.
-fn part_of_sweeps(factor: f64) -> String {
+/// The number of sweeps without a cause that is responsible for this factor, beside those that
+/// `they_need` names: "it takes now".
+fn part_of_sweeps(factor: f64, they_need: &str) -> String {
     match percent(1.0 / factor) {
-        none if none == "0 %" => "far fewer sweeps than now".into(),
-        part => format!("{part} of the present number of sweeps"),
+        none if none == "0 %" => format!("far fewer sweeps than {they_need}"),
+        part => format!("{part} of the sweeps that {they_need}"),
     }
 }
 
@@ -126,12 +127,12 @@ impl Slow {
 
 impl fmt::Display for Slow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let saves = |own: &Without| {
+        let saves = |own: &Without, they_need: &str| {
             format!(
                 "the error of the motion would be {} instead of {}, and reducing it to 0.1 % would take {}",
                 percent(own.without),
                 percent(own.with),
-                part_of_sweeps(own.factor)
+                part_of_sweeps(own.factor, they_need)
             )
         };
         match self {
@@ -155,7 +156,7 @@ impl fmt::Display for Slow {
                 f,
                 "motors ({}) push at their force limit against an obstacle. With a hundredth of the limit, {}.",
                 between.join(", "),
-                saves(without)
+                saves(without, "it takes now")
             ),
             Slow::MassRatio { heavy, light, without } => write!(
                 f,
@@ -165,19 +166,19 @@ impl fmt::Display for Slow {
                 readable(heavy.1, DIGITS),
                 light.0,
                 readable(light.1, DIGITS),
-                saves(without)
+                saves(without, "it takes with the present masses")
             ),
             Slow::Tall { bodies: Some(bodies), without } => write!(
                 f,
-                "impulses propagate through {bodies} bodies, one after the other. If all masses were equal \
-                 and each pair of bodies were a separate problem, {}.",
-                saves(without)
+                "impulses propagate through {bodies} bodies, one after the other. If, with equal masses, \
+                 each pair of bodies were also a separate problem, {}.",
+                saves(without, "equal masses alone need")
             ),
             Slow::Tall { bodies: None, without } => write!(
                 f,
                 "impulses propagate over a long chain of rows. The file names no bodies, so the influence \
                  of the masses is not known. If each pair of bodies were a separate problem, {}.",
-                saves(without)
+                saves(without, "it takes now")
             ),
             Slow::Order { without } => write!(
                 f,

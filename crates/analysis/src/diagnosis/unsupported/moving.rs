@@ -170,7 +170,7 @@ impl Case<'_> {
         let is_far = distance > self.reported_length().max(REPORTED_SLIDE * moved);
         let Some(body) = farthest.filter(|_| is_far) else {
             let is_tested = scheme.solves_lcps();
-            let words = "the friction model (Coulomb's cone gives the same motion in these steps)";
+            let words = "the friction model (with exact answers, Coulomb's cone leads to nearly the same positions)";
             return is_tested.then_some(Finding::RuledOut(words)).into_iter().collect();
         };
         let cause = Moving::Friction {

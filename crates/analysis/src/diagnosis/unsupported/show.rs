@@ -75,7 +75,7 @@ impl UnsupportedLoad {
             None => "the change of motion that the constraints cause".into(),
         };
         let error = percent(self.missing);
-        let place = |pair: &Load| format!(", most of it at {}", pair.name);
+        let place = |pair: &Load| format!("; the largest missing impulse is at {}", pair.name);
         let most = self.pairs.first().map_or(String::new(), place);
         match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
             _ if self.missing > 1.0 => {
