@@ -93,7 +93,7 @@ fn at_the_end(record: &Record) -> Table {
         more => format!("{more} more bodies are in final.toml."),
     };
     let head = "body | position (m) | velocity (m/s)";
-    Table::new("The bodies at the end", &note, head, rows)
+    Table::new("Positions and velocities at the end", &note, head, rows)
 }
 
 /// The totals; further lines of a value follow its first one.

@@ -69,7 +69,7 @@ impl Grade {
         match self {
             Grade::Obeyed => String::new(),
             // Thousands are abbreviated, because a cell has the room of four characters.
-            Grade::Missed(miss) if (1e3..9.5e5).contains(&miss) => {
+            Grade::Missed(miss) if (950.0..9.5e5).contains(&miss) => {
                 format!("{}k", readable(miss / 1e3, 1))
             }
             Grade::Missed(miss) if miss.is_finite() => {

@@ -48,6 +48,7 @@ fn a_deviation_of_thousands_fits_its_cell() {
     for (miss, word) in [
         (1.9, "1.9"),
         (640.0, "600"),
+        (999.0, "1k"),
         (6400.0, "6k"),
         (2e4, "20k"),
         (190_800.0, "200k"),

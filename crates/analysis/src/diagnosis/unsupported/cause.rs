@@ -13,8 +13,8 @@ const DIGITS: usize = 2;
 /// A body that moves less than this (m) counts as not moving.
 const NOWHERE: f64 = 1e-6;
 
-/// The number of sweeps without a cause that is responsible for this factor, beside those that
-/// `they_need` names: "it takes now".
+/// The number of sweeps without a cause that is responsible for this factor, compared with those
+/// that `they_need` names: "it takes now".
 fn part_of_sweeps(factor: f64, they_need: &str) -> String {
     match percent(1.0 / factor) {
         none if none == "0 %" => format!("far fewer sweeps than {they_need}"),
