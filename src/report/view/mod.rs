@@ -180,7 +180,7 @@ fn origin(results: &Results, part: &Part) -> Origin {
         [first, second, .., last] if tasks.len() > MOST_NAMED => {
             format!("{first}; {second}; … {last}: {} tasks", tasks.len())
         }
-        _ => tasks.join(", "),
+        _ => tasks.join("; "),
     };
     let mut settings = part.settings.clone();
     if let Value::Object(fields) = &mut settings {

@@ -4,7 +4,7 @@ use super::{Headline, Outcome, ReportPage, View};
 use crate::number::{significant, tabular};
 use crate::plot::{Axis, Bar, Bars};
 use crate::report::page::{Cell, Column, Mark, Table};
-use crate::report::study::verification::{Criterion, ORDER_SLACK, Plan, Row};
+use crate::report::study::verification::{Criterion, ORDER_SLACK, Plan, Row, title};
 
 impl View for Plan {
     const TITLE: &'static str = "Verification against closed-form solutions";
@@ -96,7 +96,7 @@ fn by_case(rows: &[Row]) -> Table {
             false => Cell::text("FAILED").marked(Mark::Bad),
         };
         vec![
-            Cell::text(&rows[0].case),
+            Cell::text(title(&rows[0].case)),
             Cell::count(methods.len()),
             Cell::count(rows.len()),
             Cell::count(passed),
@@ -122,7 +122,7 @@ fn approximate(rows: &[Row]) -> Table {
     let cells = |row: &Row| {
         let Criterion::Exact { tolerance, because } = &row.criterion else { return Vec::new() };
         vec![
-            Cell::text(&row.case),
+            Cell::text(title(&row.case)),
             Cell::text(&row.method),
             Cell::text(&row.quantity),
             Cell::number(largest_error(row), 2),
@@ -161,7 +161,7 @@ fn dots(rows: &[Row]) -> Bars {
         let mut others: Vec<f64> = rows.iter().map(|row| share(row).max(LEAST)).collect();
         others.sort_by(f64::total_cmp);
         let value = others.pop().unwrap_or(f64::NAN);
-        Bar { name: rows[0].case.clone(), accent: value > 1.0, value, others }
+        Bar { name: title(&rows[0].case).to_string(), accent: value > 1.0, value, others }
     };
     let mut bars: Vec<Bar> = rows.chunk_by(|a, b| a.case == b.case).map(bar).collect();
     bars.sort_by(|a, b| b.value.total_cmp(&a.value));
@@ -180,18 +180,28 @@ fn dots(rows: &[Row]) -> Bars {
     }
 }
 
-/// Each formula once.
+/// The formulas of each case, each once with all quantities that it gives.
 fn formulas(rows: &[Row]) -> String {
-    let mut lines: Vec<String> = Vec::new();
-    for row in rows {
-        let line = format!("- *{}*, {}: ${}$", row.case, row.quantity, row.latex);
-        if !lines.contains(&line) {
-            lines.push(line);
+    let of_case = |rows: &[Row]| {
+        let mut formulas: Vec<(&str, Vec<&str>)> = Vec::new();
+        for row in rows {
+            let quantity = row.quantity.as_str();
+            match formulas.iter_mut().find(|(latex, _)| *latex == row.latex) {
+                Some((_, quantities)) if quantities.contains(&quantity) => (),
+                Some((_, quantities)) => quantities.push(quantity),
+                None => formulas.push((&row.latex, vec![quantity])),
+            }
         }
-    }
+        let line = |(latex, quantities): &(&str, Vec<&str>)| {
+            format!("  - {}: ${latex}$", quantities.join("; "))
+        };
+        let lines: Vec<String> = formulas.iter().map(line).collect();
+        format!("- *{}*\n{}", title(&rows[0].case), lines.join("\n"))
+    };
+    let cases: Vec<String> = rows.chunk_by(|a, b| a.case == b.case).map(of_case).collect();
     let explained = SYMBOLS.iter().filter(|(case, _)| rows.iter().any(|row| row.case == *case));
     let explained: Vec<&str> = explained.map(|(_, words)| *words).collect();
-    format!("{}\n\n{}", lines.join("\n"), explained.join(" "))
+    format!("{}\n\n{}", cases.join("\n"), explained.join(" "))
 }
 
 /// The symbols of formulas that are not in the glossary, each with a case that has them.
@@ -213,7 +223,7 @@ fn tolerances(rows: &[Row]) -> String {
     for row in rows {
         let Criterion::Exact { tolerance, because } = &row.criterion else { continue };
         let line = format!("- {}: {because}", significant(*tolerance, 2));
-        let case = row.case.as_str();
+        let case = title(&row.case);
         match lines.iter().position(|(own, _)| *own == line) {
             Some(at) if lines[at].1.contains(&case) => (),
             Some(at) => lines[at].1.push(case),
@@ -266,7 +276,7 @@ fn cells(row: &Row) -> Vec<Cell> {
         Criterion::Order(_) => Cell::text("–"),
     };
     vec![
-        Cell::text(&row.case),
+        Cell::text(title(&row.case)),
         Cell::text(&row.method),
         Cell::text(&row.quantity),
         seven(row.expected),

@@ -15,7 +15,7 @@ fn no_two_names_of_a_figure_have_similar_colors_in_light_or_dark() {
     };
     let schemes = Scheme::ALL.map(Scheme::name);
     let engines = ["mujoco", "drake", "pybullet", "rapier", "pinocchio", "dart", "siconos"];
-    let integrators = ["acceleration, midpoint", "acceleration, RK4", "velocity cone"];
+    let integrators = ["midpoint rule", "RK4", "velocity cone"];
     let causes =
         ["contact", "restitution", "integrator", "friction", "constraint", "gap", "bias", "sum"];
     let sets: [Vec<&str>; 6] = [

@@ -79,7 +79,7 @@ pub(super) fn friction_in_impact(size: Size) -> Result<Vec<Row>> {
     let (case, e) = under_penalty(&case, size, 1.0, 1.0);
     let loss = mu * (1.0 + e) * down;
     let known = vec![
-        Known::order(1.0, "speed upward", DAMPED, "m/s", e * down),
+        Known::order(1.0, "speed upward of a penalty contact", DAMPED, "m/s", e * down),
         Known::order(
             1.0,
             "speed along the ground",
@@ -276,7 +276,7 @@ pub(super) fn flat(size: Size) -> Result<Vec<Row>> {
     }
     let (case, e) = under_penalty(&case, size, 4.0, 1.0);
     let known = vec![
-        Known::order(1.0, "speed upward", DAMPED, "m/s", e * speed),
+        Known::order(1.0, "speed upward of a penalty contact", DAMPED, "m/s", e * speed),
         Known::exact(SUMMED, "angular velocity", ["0", "0"], "rad/s", 0.0),
     ];
     rows.extend(case.rows(Method::Scheme(Scheme::Penalty), known, |scene| {

@@ -23,8 +23,8 @@ impl Method {
         match self {
             Method::Velocity => "velocity",
             Method::Acceleration => "acceleration",
-            Method::Rk4 => "acceleration, RK4",
-            Method::Midpoint => "acceleration, midpoint",
+            Method::Rk4 => "RK4",
+            Method::Midpoint => "midpoint rule",
             Method::Scheme(scheme) => scheme.name(),
         }
     }

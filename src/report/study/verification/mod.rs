@@ -99,7 +99,7 @@ pub struct Row {
     pub case: String,
     /// The scene.
     pub scene: String,
-    /// The scheme and, if there is a choice, the integrator.
+    /// The scheme, or an integrator of the acceleration level that is not the default.
     pub method: String,
     /// The measured quantity.
     pub quantity: String,
@@ -180,59 +180,59 @@ impl Row {
 /// The rows of a case.
 type Case = fn(Size) -> Result<Vec<Row>>;
 
-/// The cases by name, in the order of the page.
-const CASES: &[(&str, Case)] = &[
-    ("free-fall", free::fall),
-    ("pendulum", pendulum::swing),
-    ("pendulum-tension", pendulum::tension),
-    ("iftomm-pendulum", pendulum::iftomm),
-    ("conical-pendulum", pendulum::conical),
-    ("double-pendulum", pendulum::double),
-    ("flip", rotation::flip),
-    ("top", rotation::top),
-    ("free-body", schemes::free_body),
-    ("top-lean", schemes::lean),
-    ("landing", contact::landing),
-    ("stack", contact::stack),
-    ("incline", contact::incline),
-    ("ladder", contact::ladder),
-    ("rolling-sphere", rolling::sphere),
-    ("rolling-balls", rolling::balls),
-    ("rolling-cylinder", rolling::cylinder),
-    ("bouncing-ball", impact::bouncing),
-    ("bounce-to-rest", schemes::rest),
-    ("cradle", impact::cradle),
-    ("catenary", rope::catenary),
-    ("atwood", rope::atwood),
-    ("massive-pulley", rope::massive_pulley),
-    ("capstan", rope::capstan),
-    ("capstan-two-turns", rope::two_turns),
-    ("static-friction", surfaces::ramp),
-    ("shaking-table", surfaces::table),
-    ("moving-support", surfaces::supports),
-    ("sine-force", surfaces::sine),
-    ("pairs", surfaces::pairs),
-    ("groove", surfaces::groove),
-    ("feedback", joint::feedback),
-    ("spring", joint::spring),
-    ("spring-ellipse", joint::ellipse),
-    ("motor", joint::motor),
-    ("joints-turning", mechanism::turning),
-    ("joints-falling", mechanism::falling),
-    ("belt", mechanism::belt),
-    ("redundant-joints", mechanism::redundant),
-    ("impact-with-friction", collisions::friction_in_impact),
-    ("oblique-slip", collisions::oblique_slip),
-    ("three-bounces", collisions::bounces),
-    ("flat-bounce", collisions::flat),
-    ("gap-below-a-step", collisions::gap),
-    ("blocked-motor", mechanism::blocked),
-    ("bricard", bricard::bricard),
-    ("painleve", painleve::rod),
-    ("diagnosis", statements::reference),
-    ("friction-excess", statements::at_the_limit),
-    ("measured-laws", statements::measured_laws),
-    ("counts", statements::counts),
+/// The cases, each with its name and title, in the order of the page.
+const CASES: &[(&str, &str, Case)] = &[
+    ("free-fall", "free fall", free::fall),
+    ("pendulum", "pendulum from 90°", pendulum::swing),
+    ("pendulum-tension", "force in a moving pendulum", pendulum::tension),
+    ("iftomm-pendulum", "pendulum of the IFToMM benchmark", pendulum::iftomm),
+    ("conical-pendulum", "conical pendulum", pendulum::conical),
+    ("double-pendulum", "double pendulum", pendulum::double),
+    ("flip", "free body that flips over", rotation::flip),
+    ("top", "steady precession of a top", rotation::top),
+    ("free-body", "free rotation", schemes::free_body),
+    ("top-lean", "fast top that leans", schemes::lean),
+    ("landing", "boxes that land in a stack", contact::landing),
+    ("stack", "five boxes at rest", contact::stack),
+    ("incline", "block on an incline", contact::incline),
+    ("ladder", "ladder against a wall", contact::ladder),
+    ("rolling-sphere", "sphere that begins to roll", rolling::sphere),
+    ("rolling-balls", "box pulled on balls", rolling::balls),
+    ("rolling-cylinder", "cylinder and disk on a slope", rolling::cylinder),
+    ("bouncing-ball", "bouncing ball", impact::bouncing),
+    ("bounce-to-rest", "ball that comes to rest", schemes::rest),
+    ("cradle", "Newton's cradle", impact::cradle),
+    ("catenary", "hanging chain", rope::catenary),
+    ("atwood", "Atwood's machine", rope::atwood),
+    ("massive-pulley", "Atwood's machine, massive pulley", rope::massive_pulley),
+    ("capstan", "rope around a post", rope::capstan),
+    ("capstan-two-turns", "rope around a post, two turns", rope::two_turns),
+    ("static-friction", "static friction above kinetic", surfaces::ramp),
+    ("shaking-table", "block on a shaking table", surfaces::table),
+    ("moving-support", "moving supports", surfaces::supports),
+    ("sine-force", "sinusoidal force", surfaces::sine),
+    ("pairs", "friction and restitution of pairs", surfaces::pairs),
+    ("groove", "block in a V-shaped groove", surfaces::groove),
+    ("feedback", "feedback of a length error", joint::feedback),
+    ("spring", "mass on a spring", joint::spring),
+    ("spring-ellipse", "mass on a spring, in the plane", joint::ellipse),
+    ("motor", "motor with a limit", joint::motor),
+    ("joints-turning", "joints that turn", mechanism::turning),
+    ("joints-falling", "joints under gravity", mechanism::falling),
+    ("belt", "conveyor belt", mechanism::belt),
+    ("redundant-joints", "redundant joints", mechanism::redundant),
+    ("impact-with-friction", "impact with friction", collisions::friction_in_impact),
+    ("oblique-slip", "slip at 30° to the axes", collisions::oblique_slip),
+    ("three-bounces", "three bounces", collisions::bounces),
+    ("flat-bounce", "bounce of a flat box", collisions::flat),
+    ("gap-below-a-step", "impacts closer than a step", collisions::gap),
+    ("blocked-motor", "blocked motor", mechanism::blocked),
+    ("bricard", "Bricard's ring", bricard::bricard),
+    ("painleve", "Painlevé's rod", painleve::rod),
+    ("diagnosis", "cause found by diagnose", statements::reference),
+    ("friction-excess", "friction at the limit", statements::at_the_limit),
+    ("measured-laws", "laws that compare measures", statements::measured_laws),
+    ("counts", "counts in messages", statements::counts),
 ];
 
 /// A case with its own settings.
@@ -251,7 +251,12 @@ fn long() -> Vec<(String, Chosen)> {
 
 /// The names of the cases except the long ones.
 pub fn names() -> Vec<&'static str> {
-    CASES.iter().map(|(name, _)| *name).collect()
+    CASES.iter().map(|(name, ..)| *name).collect()
+}
+
+/// The title of a case on the page; its name if it has none, as the long cases.
+pub(crate) fn title(case: &str) -> &str {
+    CASES.iter().find(|(name, ..)| *name == case).map_or(case, |(_, title, _)| title)
 }
 
 /// The rows of one case, including long ones, or of all except the long ones. They do not depend on
@@ -260,7 +265,7 @@ pub fn names() -> Vec<&'static str> {
 /// # Errors
 /// If there is no case with this name.
 pub fn run(size: Size, only: Option<&str>) -> Result<Vec<Row>> {
-    let usual = CASES.iter().map(|&(name, study)| (name.to_string(), Box::new(study) as Chosen));
+    let usual = CASES.iter().map(|&(name, _, study)| (name.to_string(), Box::new(study) as Chosen));
     let chosen: Vec<(String, Chosen)> = match only {
         None => usual.collect(),
         Some(only) => vec![one(usual.chain(long()).collect(), only)?],

@@ -129,8 +129,8 @@ fn words(method: &str) -> &str {
     match method {
         "velocity" => "semi-implicit, velocity level",
         "acceleration" => "semi-implicit, acceleration level",
-        "acceleration, midpoint" => "implicit midpoint",
-        "acceleration, RK4" => "RK4",
+        "midpoint rule" => "implicit midpoint",
+        "RK4" => "RK4",
         other => other,
     }
 }

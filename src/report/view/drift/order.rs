@@ -163,7 +163,7 @@ fn table(findings: &[&Finding]) -> Table {
         format!(
             "Errors at the longest and at the shortest step. *derived*: the derived order. Here 0 means that \
              the error does not decrease, *exact* means that it is a rounding error (below 10⁻¹¹) at every step, and \
-             *open* means that no order is claimed; the page gives the reasons. A row passes if the observed order \
+             *open* means that no order is claimed; the page gives the reasons. *midpoint rule* and *RK4* integrate at acceleration level. A row passes if the observed order \
              is within {SLACK} of the derived one."
         ),
         "problem | quantity | method | #first error | #last error | unit | derived | #observed | \
@@ -206,23 +206,40 @@ fn cells(problem: Problem, curve: &Curve) -> Vec<Cell> {
     ]
 }
 
-/// Each reason once, with the methods it applies to.
+/// Each reason once, with the quantities and methods it applies to.
 fn reasons(findings: &[&Finding]) -> String {
-    let mut lines: Vec<(String, Vec<&str>)> = Vec::new();
+    let mut lines: Vec<Reason<'_>> = Vec::new();
     for (problem, curve) in curves(findings) {
         let because = match &curve.expected {
             Expected::Order { because, .. }
             | Expected::Exact { because }
             | Expected::Open { because } => because,
         };
-        let reason = format!("{}, {}: {because}", what(problem), curve.quantity);
-        match lines.iter_mut().find(|(known, _)| *known == reason) {
-            Some((_, methods)) => methods.push(&curve.method),
-            None => lines.push((reason, vec![&curve.method])),
+        let (quantity, method) = (curve.quantity.as_str(), curve.method.as_str());
+        match lines.iter_mut().find(|line| line.problem == problem && line.because == because) {
+            Some(line) => {
+                line.quantities.extend((!line.quantities.contains(&quantity)).then_some(quantity));
+                line.methods.extend((!line.methods.contains(&method)).then_some(method));
+            }
+            None => {
+                let (quantities, methods) = (vec![quantity], vec![method]);
+                lines.push(Reason { problem, because, quantities, methods });
+            }
         }
     }
-    let line =
-        |(reason, methods): &(String, Vec<&str>)| format!("- {reason} ({})", methods.join(", "));
+    let line = |reason: &Reason<'_>| {
+        let Reason { problem, because, quantities, methods } = reason;
+        let (quantities, methods) = (quantities.join(", "), methods.join(", "));
+        format!("- {} ({quantities}), {methods}: {because}", what(*problem))
+    };
     let lines: Vec<String> = lines.iter().map(line).collect();
     lines.join("\n")
+}
+
+/// Why curves have the orders that they have.
+struct Reason<'a> {
+    problem: Problem,
+    because: &'a str,
+    quantities: Vec<&'a str>,
+    methods: Vec<&'a str>,
 }

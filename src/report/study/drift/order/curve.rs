@@ -11,7 +11,7 @@ pub struct Curve {
     pub quantity: String,
     /// Its unit.
     pub unit: String,
-    /// The scheme, and after a comma its integrator if it is not the default.
+    /// The scheme, or an integrator of the acceleration level that is not the default.
     pub method: String,
     /// The steps (s), the longest first, and the errors.
     pub errors: Vec<Sample>,

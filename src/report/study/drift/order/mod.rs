@@ -54,10 +54,9 @@ pub struct Finding {
 /// The schemes, and the other integrators of the acceleration level.
 pub(super) fn methods() -> Vec<(String, Scheme, Integrator)> {
     let family = |f: Scheme| (f.name().to_string(), f, Integrator::SemiImplicitEuler);
-    let other = |name: &str, integrator| {
-        (format!("acceleration, {name}"), Scheme::Acceleration, integrator)
-    };
-    let others = [other("midpoint", Integrator::ImplicitMidpoint), other("RK4", Integrator::Rk4)];
+    let other = |name: &str, integrator| (name.to_string(), Scheme::Acceleration, integrator);
+    let others =
+        [other("midpoint rule", Integrator::ImplicitMidpoint), other("RK4", Integrator::Rk4)];
     Scheme::ALL.into_iter().map(family).chain(others).collect()
 }
 
