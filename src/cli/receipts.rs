@@ -27,9 +27,9 @@ in the file STEM.x.json next to STEM.json or STEM.npz, in the key \"answer\" of 
 the arrays x and v of the .npz file. Record the baseline in the folder in which the check runs: frames are \
 compared by their paths.
 
-The run is compared with four levels: the 50 %, 90 % and 99 % quantiles of the baseline's errors, and the largest of them. \
+The run is compared with four levels: the 50 %, 90 % and 99 % quantiles of the baseline's errors, and its largest error. \
 It is worse if, at one level, significantly more of its errors than of the baseline's are above the level (Fisher's exact \
-test, 0.5 %; two runs of equal length need at least 5 errors each). Errors below a thousandth of the limit never count \
+test, 0.5 %; two runs of equal length need at least 5 values of the error each). Errors below a thousandth of the limit never count \
 as worse.
 
 Exit codes:

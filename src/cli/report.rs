@@ -58,8 +58,8 @@ Your own problem files: `diagnose FOLDER` explains what a solver leaves unsolved
 solvers on them, and a report file with the studies `solved` and `profiles` shows both on a page.
 
 Exit codes:
-  0  every section passes
-  1  a section or a task fails, or compared results differ
+  0  the checks of every section pass
+  1  a check fails, a measurement could not be computed, or compared results differ
   2  invalid input or usage")]
 pub struct Report {
     /// Report file, name of a shipped report, or results.json of a report to draw again
@@ -92,8 +92,8 @@ pub struct Report {
     /// Number of threads [default: one per processor]
     #[arg(long, value_parser = threads())]
     threads: Option<u16>,
-    /// For the report engines: first run these installed physics engines, separated by commas, or
-    /// all [default: draw the recorded results]
+    /// Only for the report named engines: first run these installed physics engines, separated by
+    /// commas, or all [default: draw the recorded results]
     #[arg(long, value_name = "NAMES|all", conflicts_with_all = ["compare", "section"])]
     engine: Option<String>,
     #[command(flatten)]

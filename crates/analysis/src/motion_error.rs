@@ -134,7 +134,7 @@ impl MotionError {
         let unit = self.level.map(Level::norm_unit).unwrap_or("in the norm √(uᵀM u)");
         let of_what = match self.relative() {
             relative if relative < 1.0 => format!(
-                "at most {} of the change that the constraints cause ({} {unit})",
+                "at most {} of the change that the constraints cause (at least {} {unit})",
                 readable(relative, 2),
                 readable(self.effect, 3)
             ),

@@ -57,8 +57,8 @@ impl View for Plan {
                 "For the block the two box models agree; so do the two cones, except that the associated one \
                  lifts the block. For a rod on two feet, the two box models give different impulses. The center of the \
                  rod is above the ground, so friction at the feet shifts load from one foot to the other. The \
-                 frozen box ignores this: its friction is too weak at one foot and too strong at the other, where \
-                 it can exceed even $\\sqrt{2}$ times Coulomb's limit, the maximum of the coupled box. The motion of the rod is the same under both boxes, because the sum of their \
+                 frozen box ignores this: compared with the coupled box, its friction is weaker at one foot and stronger at the \
+                 other, where it can exceed even $\\sqrt{2}$ times Coulomb's limit, the maximum of the coupled box. The motion of the rod is the same under both boxes, because the sum of their \
                  friction is the same. With more corners the polygons approach Coulomb's law.",
             );
             document.table("friction_rod", rod_table(study));

@@ -133,8 +133,8 @@ fn approximate(rows: &[Row]) -> Table {
     };
     Table::new(
         "Laws that a method obeys only approximately",
-        "The numbers that do not converge to their closed form. *error*: the largest over all time steps; it is \
-         relative unless the expected value is 0. *bound*: the largest allowed error. *reason*: why an error \
+        "Numbers that must stay within a bound, and whose error exceeds 10⁻⁶. *error*: the largest over all time \
+         steps; it is relative unless the expected value is 0. *bound*: the largest allowed error. *reason*: why an error \
          remains.",
         "case | method | quantity | #error | #bound | law | reason",
         found.into_iter().map(cells).collect(),

@@ -46,7 +46,7 @@ fn a_list_sums_up_each_case_shows_each_closed_form_in_100_columns_and_writes_no_
     assert_eq!(table.status.code(), Some(0), "{}", err(&table));
     // The case, and two numbers under four methods.
     let found: Vec<&str> =
-        text.lines().filter(|line| line.trim_start().starts_with("free-fall")).collect();
+        text.lines().filter(|line| line.trim_start().starts_with("free fall")).collect();
     assert_eq!(found.len(), 1 + 8, "{text}");
     assert!(found[0].ends_with("passed"), "{text}");
     assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");

@@ -146,6 +146,10 @@ pub(super) fn rows(scene: &Scene, problem: &Problem, posing: Option<&Posing>) ->
         &format!("bias ({})", of_motion(problem.stage, is_angular)),
         &format!("bounds of x ({})", problem.stage.unit(false)),
     ];
+    section.say(
+        "c is the gap of a contact or the position error of a joint, J u its rate, and J'u, with J' = dJ/dt, the part \
+         of its second derivative that the velocities alone cause.",
+    );
     section.table("the rows", &columns, rows.iter().enumerate().map(line).collect());
     section.say(bias(scene, problem));
     section
@@ -160,7 +164,7 @@ fn bias(scene: &Scene, problem: &Problem) -> String {
         Stage::Velocity => {
             let factor = match step.feedback {
                 Feedback::Corrected => {
-                    format!("β/dt = {beta}/{dt} = {} 1/s", plain(step.baumgarte / step.dt))
+                    format!("β/dt = {beta}/({dt} s) = {} s⁻¹", plain(step.baumgarte / step.dt))
                 }
                 Feedback::Unscaled => format!("β = {beta} 1/s, not divided by dt (E34)"),
                 Feedback::Printed => {

@@ -14,7 +14,7 @@ pub struct Origin {
 impl Origin {
     /// The fields that are set: their names and texts.
     pub(super) fn parts(&self) -> impl Iterator<Item = (&'static str, &str)> {
-        let parts = [("scene", self.scene.as_str()), ("settings", &self.settings)];
+        let parts = [("tasks", self.scene.as_str()), ("settings", &self.settings)];
         parts.into_iter().filter(|(_, words)| !words.is_empty())
     }
 }

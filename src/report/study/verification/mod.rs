@@ -231,8 +231,8 @@ const CASES: &[(&str, &str, Case)] = &[
     ("painleve", "Painlevé's rod", painleve::rod),
     ("diagnosis", "cause found by diagnose", statements::reference),
     ("friction-excess", "friction at the limit", statements::at_the_limit),
-    ("measured-laws", "laws that compare measures", statements::measured_laws),
-    ("counts", "counts in messages", statements::counts),
+    ("measured-laws", "laws as measured by compare", statements::measured_laws),
+    ("counts", "numbers stated in messages", statements::counts),
 ];
 
 /// A case with its own settings.

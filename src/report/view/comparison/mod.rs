@@ -44,7 +44,8 @@ impl View for Plan {
         document.text(MEASURES);
         let words = |comparison: &Comparison| {
             let (title, teaches) = (&comparison.title, comparison.teaches.trim());
-            format!("**{}.** {}", markup::literal(title), markup::literal(teaches))
+            let scene = markup::literal(&comparison.scene);
+            format!("**{scene}: {}.** {}", markup::literal(title), markup::literal(teaches))
         };
         let (drawn, others): (Vec<_>, Vec<_>) =
             findings.iter().partition(|own| is_worth_drawing(own));
@@ -54,7 +55,7 @@ impl View for Plan {
         }
         if !others.is_empty() {
             let scenes: Vec<String> = others.into_iter().map(words).collect();
-            document.aside("What each scene shows", scenes.join("\n\n"));
+            document.aside("The scenes", scenes.join("\n\n"));
         }
         for comparison in findings {
             let id = format!("comparison_{}", stem(&comparison.scene));
@@ -151,7 +152,8 @@ const MEASURES: &str = "In the tables of the scenes, *problems* counts the LCPs:
  impact.) *claims*: problems that the solver reports as solved. \
  *accepted*: answers that the judge accepts. *worst residual*: the largest scaled residual over all problems, \
  claimed or not; – if there was none. *energy change*: from the start to the end; *largest energy change*: from \
- the start to any instant; ✗ or red: the energy changed by more than its tolerance, which is not counted as a failure. \
+ the start to any instant; ✗ or red: the energy changed by more than 1 % of the largest kinetic energy beyond what the \
+ scene explains, which is not counted as a failure. \
  *support*: the average upward component of the forces of contacts, joints and springs; \
  100 % of the weight at rest, 0 in free fall.";
 

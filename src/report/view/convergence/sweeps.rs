@@ -121,7 +121,7 @@ fn label(curve: &Curve) -> String {
     match (curve.measured_rate, curve.predicted_rate, curve.agrees()) {
         (Some(_), Some(rate), Some(true)) => format!("ω = {}: ρ = {rate:.4}", curve.omega),
         (Some(measured), Some(rate), _) => {
-            format!("ω = {}: {measured:.4}, ρ = {rate:.4}", curve.omega)
+            format!("ω = {}: measured {measured:.4}, ρ = {rate:.4}", curve.omega)
         }
         _ => format!("ω = {}", curve.omega),
     }
@@ -135,7 +135,7 @@ fn title(study: &Rates) -> String {
         let sweeps = readable(per_digit(curve)?, 2);
         match (curve.predicted_rate, curve.agrees()) {
             (Some(rate), Some(false)) => {
-                Some(format!("{sweeps} ({} in the limit)", readable(-1.0 / rate.log10(), 2)))
+                Some(format!("{sweeps} (in the limit {})", readable(-1.0 / rate.log10(), 2)))
             }
             _ => Some(sweeps),
         }
@@ -147,7 +147,7 @@ fn title(study: &Rates) -> String {
     match (pgs, best.and_then(|best| Some((best.omega, needs(best)?)))) {
         (Some(pgs), Some((omega, best))) => {
             format!(
-                "{}: sweeps per decimal digit: pgs {pgs}, SOR with ω = {omega} {best}",
+                "{}: sweeps per decimal digit: {pgs} with pgs, {best} with SOR (ω = {omega})",
                 study.title
             )
         }

@@ -18,9 +18,9 @@ pub(super) fn show(findings: &[&Account], document: &mut ReportPage) {
     document.text(
         "**The energy ledger.** Every impulse does work, and the work of an impulse at fixed positions is \
          known exactly. Therefore each change of energy has a known cause: impacts and friction dissipate energy, \
-         restitution returns some of it, and error feedback adds or removes energy. The entry *integrator* is the \
-         difference between the work of gravity along the mean velocity of a step and along the path of the bodies: \
-         it adds or removes energy even if gravity is constant.",
+         restitution returns some of it, and error feedback adds or removes energy. The ledger computes \
+         the work of gravity in a step with the mean of the old and the new velocity, but the step moves the bodies with the \
+         new one. The entry *integrator* is the difference; it is not 0 even if gravity is constant.",
     );
     document.equation(
         "\\Delta E = \\sum_{\\text{rows}} \\tfrac12 x_i (J u + J u^+)_i + \\Delta E_{\\text{integrator}} \

@@ -96,9 +96,10 @@ fn gain(factors: &[&Factor]) -> String {
         let entries: Vec<f64> = drawn(factor).map(|own| own.entries as f64).collect();
         let (natural, least) = (entries.first()?, entries.last()?);
         Some(format!(
-            "; in minimum-degree order, the factor of the scene {} has {} times fewer entries",
+            "; the factor of the scene {} has {} entries in minimum-degree order, {} in natural order",
             factor.scene,
-            readable(natural / least, 2)
+            count(*least as usize),
+            count(*natural as usize)
         ))
     };
     factors.iter().filter_map(gain).collect()

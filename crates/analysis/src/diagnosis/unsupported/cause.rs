@@ -129,7 +129,7 @@ impl fmt::Display for Slow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let saves = |own: &Without, they_need: &str| {
             format!(
-                "the error of the motion would be {} instead of {}, and reducing it to 0.1 % would take {}",
+                "the error of the motion would be {} instead of {}, and an error of 0.1 % would take {}",
                 percent(own.without),
                 percent(own.with),
                 part_of_sweeps(own.factor, they_need)
@@ -170,9 +170,9 @@ impl fmt::Display for Slow {
             ),
             Slow::Tall { bodies: Some(bodies), without } => write!(
                 f,
-                "impulses propagate through {bodies} bodies, one after the other. If, with equal masses, \
-                 each pair of bodies were also a separate problem, {}.",
-                saves(without, "equal masses alone need")
+                "impulses propagate through {bodies} bodies, one after the other. With equal masses: if \
+                 each pair of bodies were a separate problem, {}.",
+                saves(without, "the coupled pairs need")
             ),
             Slow::Tall { bodies: None, without } => write!(
                 f,

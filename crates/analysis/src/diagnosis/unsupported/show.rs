@@ -116,9 +116,13 @@ impl UnsupportedLoad {
     pub(crate) fn advice(&self) -> Option<String> {
         let cures = self.remedies.iter().filter(|remedy| remedy.missing <= HEALTHY);
         let cheapest = cures.min_by(|a, b| a.work.total_cmp(&b.work));
+        let name = match cheapest {
+            Some(_) => format!("Cheapest remedy with an error of at most {}", percent(HEALTHY)),
+            None => "Remedy with the smallest error".into(),
+        };
         let best = cheapest.or_else(|| self.remedies.first())?;
         Some(format!(
-            "Best remedy: {}. The error is then {}, after {} multiplications.",
+            "{name}: {}. The error is then {}, after {} multiplications.",
             best.what,
             percent(best.missing),
             readable(best.work, DIGITS)

@@ -34,9 +34,9 @@ pub(super) fn newton_to_lcp(
     let names = format!("{verb} {}", columns.names(scene));
     section.say(match left_out {
         0 => format!("The {names}."),
-        1 => format!("1 of the {all} columns has no entries and is not shown. The other {names}."),
+        1 => format!("One of the {all} columns of J is 0 and is not shown. The other {names}."),
         _ => format!(
-            "{left_out} of the {all} columns have no entries and are not shown. The other {names}."
+            "{left_out} of the {all} columns of J are 0 and are not shown. The other {names}."
         ),
     });
     if !problem.slides.is_empty() {

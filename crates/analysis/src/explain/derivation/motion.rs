@@ -17,7 +17,7 @@ pub(in crate::explain) fn motion(problem: &Problem, x: &[f64], dt: f64) -> Secti
     let next = problem.next_velocity(x, dt);
     let change: Vec<f64> = motion.iter().zip(&target_numbers).map(|(m, t)| m - t).collect();
     let x = effort(problem);
-    section.say("In the columns with entries, the new motion of the bodies is");
+    section.say("For the columns of J that are not 0, the new motion of the bodies is");
     let formula = Formula::default()
         .symbols(
             &format!("{moved} = {target} + M⁻¹Jᵀ {x} ="),

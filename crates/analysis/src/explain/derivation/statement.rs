@@ -18,8 +18,8 @@ pub(super) fn lcp(
     section.say("4. The factor of x is A, and the rest is b.");
     if problem.stage == Stage::Velocity {
         section.say(
-            "The chapter's Figure 4 prints b with the opposite sign, which would double the velocity instead of \
-             stopping it (E22).",
+            "Figure 4 of K&M (Kenwright & Morgan) prints b with the opposite sign, which would double the velocity of \
+             the body instead of stopping it (`lcplab chapter E22`).",
         );
     }
     section.formula(Formula::default().symbols("w = A x + b", "w = A x + b"));

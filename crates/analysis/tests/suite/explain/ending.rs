@@ -15,6 +15,8 @@ fn a_bounce_is_a_second_lcp_with_half_of_the_speed_as_its_wish() {
     let text = sections(&document, &["restitution: constraints", "restitution: the new motion"]);
     insta::assert_snapshot!(text, @r"
     9 Step 80, restitution: constraints
+    c is the gap of a contact or the position error of a joint, J u its rate, and J'u, with J' =
+    dJ/dt, the part of its second derivative that the velocities alone cause.
       Step 80, restitution: the rows
         row   constraint               c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
           0   normal ground ball 0   0.03924     −7.7499            0     −3.87495   [0, ∞)
@@ -23,7 +25,7 @@ fn a_bounce_is_a_second_lcp_with_half_of_the_speed_as_its_wish() {
     separation at e times the approach speed. The other rows keep their bias.
 
     13 Step 80, restitution: the new motion
-    In the columns with entries, the new motion of the bodies is
+    For the columns of J that are not 0, the new motion of the bodies is
         u⁺ = u* + M⁻¹Jᵀ x = [ −7.848 ] + [ 11.7229 ] = [ 3.87495 ]   m/s
     ");
 }

@@ -19,15 +19,17 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
         body        1   1/1 = 1      —                      —                      (0, 0, −1)   —              (0, 0, −1)
 
     3 Step 1, velocity: constraints
+    c is the gap of a contact or the position error of a joint, J u its rate, and J'u, with J' =
+    dJ/dt, the part of its second derivative that the velocities alone cause.
       Step 1, velocity: the rows
         row   constraint             c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
           0   normal ground body 0       0          −1            0            0   [0, ∞)
-    The bias is the feedback of errors. A position error c is multiplied by β/dt = 0/1 = 0 1/s, and
-    a gap c > 0 of a contact by 1/dt, so that the gap can close within the step but not become an
-    overlap. The bias of a friction row is 0, that of a motor the negative target speed.
+    The bias is the feedback of errors. A position error c is multiplied by β/dt = 0/(1 s) = 0 s⁻¹,
+    and a gap c > 0 of a contact by 1/dt, so that the gap can close within the step but not become
+    an overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
     4 Step 1, velocity: from Newton's law to the LCP
-    2 of the 3 columns have no entries and are not shown. The other column is v_z of body.
+    2 of the 3 columns of J are 0 and are not shown. The other column is v_z of body.
     1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
     the rows act along Jᵀ and change them.
         u⁺ = u* + M⁻¹Jᵀ x,   u* = u + dt M⁻¹F
@@ -42,8 +44,8 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
         J M⁻¹Jᵀ = [ 1 ] [ 1 ] [ 1 ]
         J u* = [ 1 ] [ −2 ] = [ −2 ]   m/s
     4. The factor of x is A, and the rest is b.
-    The chapter's Figure 4 prints b with the opposite sign, which would double the velocity instead
-    of stopping it (E22).
+    Figure 4 of K&M (Kenwright & Morgan) prints b with the opposite sign, which would double the
+    velocity of the body instead of stopping it (`lcplab chapter E22`).
         w = A x + b
         A = J M⁻¹Jᵀ = [ 1 ]   1/kg
         b = J u* + bias = [ −2 ] + [ 0 ] = [ −2 ]   m/s
@@ -76,7 +78,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
     terms, is 0.
 
     7 Step 1, velocity: the new motion
-    In the columns with entries, the new motion of the bodies is
+    For the columns of J that are not 0, the new motion of the bodies is
         u⁺ = u* + M⁻¹Jᵀ x = [ −2 ] + [ 2 ] = [ 0 ]   m/s
 
     8 Step 1: the states after the step
@@ -97,7 +99,7 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     let text = sections(&document, &["Newton", "move by move", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     4 Step 1, impact: from Newton's law to the LCP
-    2 of the 3 columns have no entries and are not shown. The other column is v_z of body.
+    2 of the 3 columns of J are 0 and are not shown. The other column is v_z of body.
     1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
     act.
         u⁺ = u* + M⁻¹Jᵀ x
@@ -145,11 +147,11 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     terms, is 0.
 
     7 Step 1, impact: the new motion
-    In the columns with entries, the new motion of the bodies is
+    For the columns of J that are not 0, the new motion of the bodies is
         u⁺ = u* + M⁻¹Jᵀ x = [ −1 ] + [ 1 ] = [ 0 ]   m/s
 
     10 Step 1, acceleration: from Newton's law to the LCP
-    2 of the 3 columns have no entries and are not shown. The other column is v_z of body.
+    2 of the 3 columns of J are 0 and are not shown. The other column is v_z of body.
     1. Newton's law. Without constraints the accelerations would be a*. The forces x of the rows act
     along Jᵀ and change them.
         u' = a* + M⁻¹Jᵀ x,   a* = M⁻¹F
@@ -197,7 +199,7 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     terms, is 0.
 
     13 Step 1, acceleration: the new motion
-    In the columns with entries, the new motion of the bodies is
+    For the columns of J that are not 0, the new motion of the bodies is
         u' = a* + M⁻¹Jᵀ x = [ −1 ] + [ 1 ] = [ 0 ]   m/s²
         u + dt u' = [ 0 ] + 1 s · [ 0 ] = [ 0 ]   m/s
     ");
