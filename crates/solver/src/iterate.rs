@@ -117,10 +117,12 @@ fn long_part(lcp: &Lcp, x: &[f64], before: &[f64]) -> Vec<f64> {
     direction
 }
 
-/// Whether the objective decreases along d at a constant rate: A d = 0, bᵀd < 0.
+/// Whether the objective decreases along d at a constant rate: A d = 0, bᵀd < 0. A slope that is
+/// small compared with the effect of forces of the problem's scale is no ray: redundant rows then
+/// contradict each other only by drift or rounding.
 fn is_unbounded_descent(lcp: &Lcp, d: &[f64]) -> bool {
-    let size = |u: &[f64]| u.iter().map(|u| u.abs()).collect::<Vec<_>>();
-    let slope_terms = dot(&size(lcp.b()), &size(d));
+    let term = |i: usize| (lcp.b()[i].abs() + lcp.matrix().diagonal(i) * lcp.scale()) * d[i].abs();
+    let slope_terms: f64 = (0..d.len()).map(term).sum();
     if !(dot(lcp.b(), d) < -RAY_SLOPE * slope_terms) {
         return false;
     }

@@ -25,11 +25,11 @@ fn nor_on_the_mass_ratio() {
     }
 }
 
-/// Mehrotra's step on x − 1 ⟂ x, written out for one unknown from x = 4.
+/// Mehrotra's step on x − 1 ⟂ x, written out for one unknown from x = 1.6.
 #[test]
 fn a_step_is_mehrotras() {
-    // energy b²/a = 1, so that the multiplier is 1/4; w = 3
-    let (room, multiplier, w) = (4.0, 0.25, 3.0);
+    // energy b²/a = 1, so that the multiplier is 1/1.6; w = 0.6
+    let (room, multiplier, w) = (1.6, 0.625, 0.6);
     let step = |mu: f64, second_order: f64| {
         let r = mu - room * multiplier - second_order;
         let dx = (multiplier - w + r / room) / (1.0 + multiplier / room);
@@ -44,6 +44,60 @@ fn a_step_is_mehrotras() {
     let mut path = Iterates::default();
     InteriorPoint::default().solve(&lcp, &Start::at(&[room]), &mut path);
     assert!((path.0[1][0] - (room + length * x)).abs() < 1e-10, "{:?}", path.0);
+}
+
+/// A motor that pushed one way at its limit in the last step and hardly pushes in this one.
+#[test]
+fn a_start_at_the_wrong_bound_is_left() {
+    for lcp in [
+        boxed(&[&[6.0]], &[-0.18], &[-5.0], &[5.0]),
+        boxed(
+            &[&[1.0, 1.0, 1.0], &[1.0, 1.0, 1.0], &[1.0, 1.0, 6.0]],
+            &[-0.2, -0.2, -0.35],
+            &[f64::NEG_INFINITY, f64::NEG_INFINITY, -5.0],
+            &[f64::INFINITY, f64::INFINITY, 5.0],
+        ),
+    ] {
+        let motor = lcp.len() - 1;
+        for bound in [-5.0, 5.0] {
+            let mut start = vec![0.0; lcp.len()];
+            start[motor] = bound;
+            let solution = InteriorPoint::default().solve(&lcp, &Start::at(&start), &mut ());
+            assert_eq!(solution.status, Status::Solved, "{bound}, {:?}", solution.x);
+            assert!(solution.iterations <= 15, "{bound}: {}", solution.iterations);
+            assert!((solution.x[motor] - 0.03).abs() < 1e-6, "{bound}: {:?}", solution.x);
+        }
+    }
+}
+
+/// Two equal equations whose biases differ by drift, 1e-9, solved in step after step with another
+/// load. The part of x along the null direction (1, −1) must not grow from step to step.
+#[test]
+fn a_start_adds_nothing_along_a_null_direction() {
+    let free = [f64::NEG_INFINITY, f64::INFINITY];
+    let mut before = vec![0.0; 2];
+    for step in 0..20 {
+        let load = 1.0 + 0.01 * f64::from(step);
+        let rows: [&[f64]; 2] = [&[1.0, 1.0], &[1.0, 1.0]];
+        let lcp = boxed(&rows, &[-load, 1e-9 - load], &[free[0]; 2], &[free[1]; 2]);
+        let lcp = lcp.with_scale(1.0).unwrap();
+        let cold = InteriorPoint::default().solve(&lcp, &Start::default(), &mut ());
+        let warm = InteriorPoint::default().solve(&lcp, &Start::at(&before), &mut ());
+        assert_eq!(warm.x, cold.x);
+        before = warm.x;
+    }
+}
+
+/// Forces along (1, −1) satisfy neither of two equations that contradict each other. If they do so
+/// by less than forces of the scale times the tolerance, that is drift, and x is a solution.
+#[test]
+fn equations_that_have_drifted_apart_are_no_ray() {
+    let free = [f64::NEG_INFINITY, f64::INFINITY];
+    let rows: [&[f64]; 2] = [&[1.0, 1.0], &[1.0, 1.0]];
+    let lcp = boxed(&rows, &[-1e-5, 1e-9 - 1e-5], &[free[0]; 2], &[free[1]; 2]);
+    let solve = |lcp: &Lcp| InteriorPoint::default().solve(lcp, &Start::default(), &mut ()).status;
+    assert!(matches!(solve(&lcp), Status::Ray { .. }), "{}", solve(&lcp));
+    assert_eq!(solve(&lcp.with_scale(1.0).unwrap()), Status::Solved);
 }
 
 fn stays_inside(lcp: &Lcp) -> bool {

@@ -44,12 +44,25 @@ impl<'a> Path<'a> {
     /// Moves x inside its bounds and chooses the multipliers such that every ρ z equals the energy
     /// e = Σ w_i² / a_ii, w = A Π(0) + b: bounds that exclude 0 act like b. The unit of distances
     /// is √(e / a_ii).
+    ///
+    /// A start whose energy is larger is replaced by Π(0): near the wrong bounds, with products ρ z
+    /// that are small compared with w, steps would jump between bounds. Rows without bounds start
+    /// at 0. Their equations are linear, so a start gains nothing, and from one time step to the
+    /// next a part along a null direction would only grow.
     pub(super) fn from_inside(lcp: &'a Lcp, equations: &impl StepEquations, x: &mut [f64]) -> Self {
         let pinned: Vec<bool> = (0..x.len()).map(|i| lcp.lo()[i] == lcp.hi()[i]).collect();
         let mut least = vec![0.0; x.len()];
         lcp.project_all(&mut least);
-        let w = lcp.w(&least).into_iter().enumerate();
-        let energy: f64 = w.map(|(i, w)| w.powi(2) / equations.diagonal(i)).sum();
+        let energy_at = |x: &[f64]| -> f64 {
+            let w = lcp.w(x).into_iter().enumerate();
+            w.map(|(i, w)| w.powi(2) / equations.diagonal(i)).sum()
+        };
+        let energy = energy_at(&least);
+        let is_free = |i: usize| !lcp.lo()[i].is_finite() && !lcp.hi()[i].is_finite();
+        x.iter_mut().enumerate().filter(|(i, _)| is_free(*i)).for_each(|(_, x)| *x = 0.0);
+        if !(energy_at(x) <= energy) {
+            x.copy_from_slice(&least);
+        }
         let energy = if energy > 0.0 { energy } else { 1.0 };
         let unit: Vec<f64> =
             (0..x.len()).map(|i| (energy / equations.diagonal(i)).sqrt()).collect();
