@@ -176,3 +176,33 @@ fn every_shipped_scene_at_rest_stays_at_rest_at_this_level() {
         }
     }
 }
+
+/// A point on two rods at x = ±1 that starts at the height y₀ = 0.1 with the speed v₀ = 1 toward
+/// the line between their ends. The rods allow no motion. J u' = −J'u keeps the rates J u that are
+/// there: both lengths are l₀ − y₀ v₀ t/l₀, so y² = (l₀ − y₀ v₀ t/l₀)² − 1. At t* = l₀ (l₀ − 1)/(y₀
+/// v₀) = 0.0501 s this is 0: no position has both lengths after it, and the speed is infinite.
+#[test]
+fn independent_rows_keep_their_rates_until_no_position_satisfies_them() {
+    let rod = |x: f64| {
+        format!(
+            "[[constraints]]\nkind = \"distance\"\nbodies = [\"bob\"]\n\
+             points = [[{x}, 0, 0], [0, 0, 0.1]]\n"
+        )
+    };
+    let text = "gravity = [0, 0, 0]\n[step]\ndt = 0.0005\nscheme = \"acceleration\"\n\
+        integrator = \"rk4\"\nalpha = 0\n[[bodies]]\nname = \"bob\"\nshape = \"point\"\nmass = 1\n\
+        position = [0, 0, 0.1]\nvelocity = [0, 0, -1]\n";
+    let toggle = format!("{text}{}{}", rod(-1.0), rod(1.0));
+    let mut bob = simulation(Scene::from_toml("toggle.toml", &toggle).unwrap());
+    let start = f64::sqrt(1.01);
+    let height = |t: f64| ((start - 0.1 * t / start).powi(2) - 1.0).sqrt();
+    while bob.time() < 0.0449 {
+        bob.step().unwrap();
+        assert_near(bob.states()[0].pose.p.z, height(bob.time()), 1e-7);
+    }
+    assert!(bob.states()[0].v.z.abs() < 4.0, "{}", bob.states()[0].v.z);
+    while bob.time() < 0.0509 {
+        bob.step().unwrap();
+    }
+    assert!(bob.states()[0].v.z.abs() > 1e3, "{}", bob.states()[0].v.z);
+}
