@@ -32,6 +32,7 @@ pub mod merit;
 pub mod number;
 #[cfg(feature = "json")]
 mod question;
+mod rolling;
 pub mod xml;
 
 pub use complementarity::Complementarity;
@@ -43,6 +44,7 @@ pub use lcp::Lcp;
 pub use matrix::{Dense, Matrix, Row, Sparse, dot};
 #[cfg(feature = "json")]
 pub use question::Question;
+pub use rolling::rolling_friction;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

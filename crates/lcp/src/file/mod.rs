@@ -37,9 +37,9 @@
 //!
 //! The crate `lcplab-files` reads and writes the files of other programs. Unknown keys are ignored
 //! with a warning that suggests the most similar known key; in `A` they are an error, and so is a
-//! duplicate key. Memory is bounded: n is compared with the length of b before anything of size n
-//! is allocated, and a file that would exceed the limit ([`Problem::read_within`]) is rejected
-//! before it is parsed.
+//! duplicate key or a key that states rolling friction. Memory is bounded: n is compared with the
+//! length of b before anything of size n is allocated, and a file that would exceed the limit
+//! ([`Problem::read_within`]) is rejected before it is parsed.
 
 mod expected;
 mod matrix;
@@ -70,6 +70,7 @@ use crate::error::{Defects, Error, Result};
 use crate::json;
 use crate::memory::Memory;
 use crate::question::is_box_in_plane;
+use crate::rolling::rolling_friction;
 
 /// A problem as stored in a file.
 #[derive(Debug, Clone)]
@@ -104,6 +105,11 @@ const KEPT: [&str; 9] =
     ["source", "dt", "rows", "bodies", "gravity", "objective", "expected", "hunt", "answer"];
 const READ: [&str; 11] =
     ["name", "A", "b", "lo", "hi", "friction_index", "mu", "model", "frozen_at", "scale", "motion"];
+
+/// Whether a key of the object is read or kept.
+fn is_known(key: &str) -> bool {
+    KEPT.contains(&key) || READ.contains(&key)
+}
 
 impl Problem {
     /// A problem with a name and an LCP only.
@@ -202,6 +208,11 @@ impl Problem {
         let scale = scale(&object, &mut defects);
         let motion = motion::read(&object, parts.b.len(), &mut defects);
         descriptions(&object, parts.b.len(), &mut defects);
+        for key in object.keys().filter(|key| !is_known(key)) {
+            if let Some(reason) = rolling_friction(key) {
+                defects.add(key, reason);
+            }
+        }
         defects.into_result(input)?;
         let lcp = parts.into_lcp().and_then(|lcp| lcp.with_scale(scale));
         let lcp = lcp.map_err(|error| error.within(input))?;
@@ -212,7 +223,7 @@ impl Problem {
         for (key, value) in object {
             if KEPT.contains(&key.as_str()) {
                 extra.insert(key, value);
-            } else if !READ.contains(&key.as_str()) {
+            } else if !is_known(&key) {
                 let meant = similar(&key).map(|known| format!("; did you mean {known:?}?"));
                 let meant = meant.unwrap_or_default();
                 warnings.push(format!("{input}: unknown key {key:?} ignored{meant}"));

@@ -188,6 +188,11 @@ impl FrictionProblem {
                     mu(t2),
                     mu(t2) / mu(t1)
                 ),
+                [_, _, _, ..] => format!(
+                    "bounds {} friction rows, not 2; rolling and torsional friction are supported \
+                     as boxes alone, by the model coupled-box",
+                    rows.len()
+                ),
                 _ => format!("bounds {} friction rows, not 2", rows.len()),
             };
             defects.add(format!("row {n}"), reason);

@@ -39,6 +39,24 @@ fn unknown_keys_are_warned_of_and_known_ones_kept() {
     assert_eq!(problem.to_json()["dt"], 0.01);
 }
 
+/// Without rolling friction the problem is another one: its key must not be ignored.
+#[test]
+fn rolling_friction_is_rejected_by_name() {
+    for (key, kind) in [
+        ("rolling_friction", "rolling"),
+        ("rollingFriction", "rolling"),
+        ("rolling", "rolling"),
+        ("mu_r", "rolling"),
+        ("mu-rolling", "rolling"),
+        ("spinning_friction", "torsional"),
+        ("torsional_mu", "torsional"),
+    ] {
+        let text = format!(r#"{{"A": {{"dense": [[1]]}}, "b": [0], "{key}": [0.1]}}"#);
+        let expected = format!("p.json: {key}: states {kind} friction, which is not supported");
+        assert!(message(&text).starts_with(&expected), "{}", message(&text));
+    }
+}
+
 #[test]
 fn the_warning_of_a_misspelt_key_names_the_key_that_was_meant() {
     let warning = |key: &str| {

@@ -84,6 +84,13 @@ fn friction_rows_that_are_no_pair_are_listed() {
         coupled([None, Some(0), None], [0.0, 1.0, 0.0]),
         "contacts: row 0: bounds 1 friction rows, not 2"
     );
+    let four = Coupling::new(vec![None, Some(0), Some(0), Some(0), Some(0)], vec![0.5; 5]).unwrap();
+    let unit = |i: usize| (0..5).map(move |j| f64::from(u8::from(i == j))).collect::<Vec<f64>>();
+    let rows: Vec<Vec<f64>> = (0..5).map(unit).collect();
+    let rows: Vec<&[f64]> = rows.iter().map(Vec::as_slice).collect();
+    let five = boxed(&rows, &[0.0; 5], &[0.0, -INF, -INF, -INF, -INF], &[INF; 5]);
+    let message = FrictionProblem::of(&five.with_coupling(four).unwrap()).unwrap_err().to_string();
+    assert!(message.contains("bounds 4 friction rows, not 2; rolling and torsional"), "{message}");
     assert_eq!(
         coupled([None, Some(0), Some(0)], [0.0, 1.0, 0.5]),
         "contacts: row 0: mu is 1 along t1, 0.5 along t2: multiply row and column 2 of A, and \

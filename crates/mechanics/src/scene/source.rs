@@ -7,7 +7,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue, ValueDeserializer};
 
 use lcplab_lcp::error::{Defects, Error, Result};
-use lcplab_lcp::xml;
+use lcplab_lcp::{rolling_friction, xml};
 
 /// The keys of a text with their positions.
 ///
@@ -99,6 +99,10 @@ impl Source<'_> {
 fn reason(message: &str) -> String {
     if message.starts_with("unknown field `formulation`") {
         return "is now called \"scheme\"".into();
+    }
+    let unknown = message.strip_prefix("unknown field `").and_then(|rest| rest.split('`').next());
+    if let Some(reason) = unknown.and_then(rolling_friction) {
+        return reason;
     }
     let mut words = message.replace('`', "\"");
     for (type_name, word) in

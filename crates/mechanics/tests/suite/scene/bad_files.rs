@@ -55,6 +55,16 @@ fn unknown_keys_are_reported_with_the_known_ones() {
 }
 
 #[test]
+fn rolling_friction_is_rejected_by_name() {
+    let text = format!("{BALL}rolling_friction = 0.1\n[contact]\nspinning = 0.1\n");
+    let reason = |kind: &str| format!("states {kind} friction, which is not supported");
+    let message = message(&text);
+    let (body, contact) = (reason("rolling"), reason("torsional"));
+    assert!(message.contains(&format!("line 5: bodies[0].rolling_friction: {body}")), "{message}");
+    assert!(message.contains(&format!("line 7: contact.spinning: {contact}")), "{message}");
+}
+
+#[test]
 fn a_text_for_a_number_is_reported_where_it_stands() {
     let text = BALL.replace("mass = 1", "mass = \"heavy\"");
     assert_eq!(
