@@ -21,6 +21,7 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Options, Pgs, Registry};
 
 use super::form::Writing;
+use super::loads::{self, Summed};
 use super::mistake;
 use super::plugin::Plugins;
 use super::scene::Changes;
@@ -100,6 +101,9 @@ pub struct Diagnose {
     plugins: Plugins,
     #[command(flatten)]
     changes: Changes,
+    /// Also list the forces for each pair of bodies and for each contact, and mark the unique ones
+    #[arg(long, conflicts_with = "answer")]
+    loads: bool,
     /// Print one JSON object
     #[arg(long, conflicts_with_all = ["format", "out"])]
     json: bool,
@@ -136,9 +140,13 @@ impl Diagnose {
         let (plugins, solvers) = self.plugins.start()?;
         let solver = Plugins::sole(self.solver.as_deref(), &plugins)?;
         if !is_problem && Path::new(&self.input).is_dir() {
+            if self.loads {
+                let reason = "applies to a scene or a problem, but the input is a folder";
+                return Err(Error::invalid(&self.input, "--loads", reason));
+            }
             return self.sequence(solver, &solvers);
         }
-        let (mut found, examined) = match is_problem {
+        let Diagnosed { mut found, examined, loads } = match is_problem {
             true => self.problem(solver, &solvers)?,
             false => self.of_scene(solver, &solvers)?,
         };
@@ -146,6 +154,9 @@ impl Diagnose {
             let mut object = found.to_json();
             if let Some(examined) = &examined {
                 object["examination"] = examined.found.to_json();
+            }
+            if let Some(loads) = &loads {
+                object["loads"] = loads::to_json(loads);
             }
             print(&format!("{object:#}\n"))?;
             return Ok(if found.is_sound() { Outcome::Good } else { Outcome::Refuted });
@@ -156,15 +167,11 @@ impl Diagnose {
             // The rate of the active rows is stated; that of all rows would be a second one.
             found.causes.retain(|cause| !matches!(cause, Cause::Slow { .. }));
         }
-        self.write(found.document(), examined.as_ref())
+        self.write(found.document(), examined.as_ref(), loads.as_ref())
     }
 
     /// Diagnoses a problem, and its solve if a solver is given.
-    fn problem(
-        &self,
-        solver: Option<&str>,
-        solvers: &Registry,
-    ) -> Result<(Diagnosis, Option<ExaminedInput>)> {
+    fn problem(&self, solver: Option<&str>, solvers: &Registry) -> Result<Diagnosed> {
         let refuse = |option| {
             Error::invalid(&self.input, option, "applies to scenes, but the input is a problem")
         };
@@ -175,37 +182,48 @@ impl Diagnose {
             return Err(refuse("--set"));
         }
         let read = read_problem(Path::new(&self.input), Memory::default())?;
-        let diagnosis = problem(&read)?;
+        let found = problem(&read)?;
+        let summed = || -> Result<_> {
+            loads::of_problem(&Question::new(&read, None, &self.input)?, &self.input)
+        };
+        let loads = self.loads.then(summed).transpose()?;
         if solver.is_none() && self.max_iterations.is_none() {
-            return Ok((diagnosis, None));
+            return Ok(Diagnosed { found, examined: None, loads });
         }
         let user_solver = self.user_solver(solver, solvers)?;
-        let found = examine_sequence(&[as_box(read, &self.input)?], &user_solver);
-        Ok((diagnosis, Some(ExaminedInput { found, user_solver, scene: None })))
+        let examination = examine_sequence(&[as_box(read, &self.input)?], &user_solver);
+        let examined = Some(ExaminedInput { found: examination, user_solver, scene: None });
+        Ok(Diagnosed { found, examined, loads })
     }
 
     /// Diagnoses a scene, and its solve if possible.
-    fn of_scene(
-        &self,
-        solver: Option<&str>,
-        solvers: &Registry,
-    ) -> Result<(Diagnosis, Option<ExaminedInput>)> {
+    fn of_scene(&self, solver: Option<&str>, solvers: &Registry) -> Result<Diagnosed> {
         let scene = self.scene(solver, solvers)?;
         let step = self.step.map(|step| step as usize);
         let number = step.unwrap_or(1);
         let progress = bar(number.saturating_sub(1) as u64, "steps before it");
-        let diagnosis = diagnosis::observed_scene(&scene, number, &|| progress.inc(1))?;
+        let found = diagnosis::observed_scene(&scene, number, &|| progress.inc(1))?;
         progress.finish_and_clear();
-        if !diagnosis.is_sound() || solvers.entry(&scene.solver.name).is_err() {
-            return Ok((diagnosis, None));
+        let loads = self.loads.then(|| loads::of_scene(&scene, number));
+        if !found.is_sound() || solvers.entry(&scene.solver.name).is_err() {
+            return Ok(Diagnosed { found, examined: None, loads });
         }
-        let (found, user_solver) = (examine_scene(&scene, step)?, user_solver(&scene)?);
-        Ok((diagnosis, Some(ExaminedInput { found, user_solver, scene: Some(scene) })))
+        let (examination, user_solver) = (examine_scene(&scene, step)?, user_solver(&scene)?);
+        let examined = Some(ExaminedInput { found: examination, user_solver, scene: Some(scene) });
+        Ok(Diagnosed { found, examined, loads })
     }
 
     /// Writes the result as text, or as a page with pictures and the problems of the worst steps
     /// next to it.
-    fn write(&self, mut document: Document, examined: Option<&ExaminedInput>) -> Result<Outcome> {
+    fn write(
+        &self,
+        mut document: Document,
+        examined: Option<&ExaminedInput>,
+        loads: Option<&Summed>,
+    ) -> Result<Outcome> {
+        if let Some(loads) = loads {
+            document.add("", loads::section(loads));
+        }
         let Some(ExaminedInput { found, user_solver, scene }) = examined else {
             return self.writing.write(&document);
         };
@@ -276,7 +294,7 @@ impl Diagnose {
         let title = format!("Diagnosis of {}", self.input);
         let lead = found.unsolved_in_words(tolerance);
         let document = Document { title, lead, is_accepted, ..Document::default() };
-        self.write(document, Some(&ExaminedInput { found, user_solver, scene: None }))
+        self.write(document, Some(&ExaminedInput { found, user_solver, scene: None }), None)
     }
 
     /// Finds the known mistakes that give an answer.
@@ -309,6 +327,14 @@ fn as_box(problem: Problem, place: &str) -> Result<Problem> {
     let question = Question::new(&problem, None, place)?;
     let lcp = question.require_boxed("examinations of a solver are", place)?.clone();
     Ok(Problem { lcp, ..problem })
+}
+
+/// What was found about an input.
+struct Diagnosed {
+    found: Diagnosis,
+    examined: Option<ExaminedInput>,
+    /// The forces by bodies, if they are printed.
+    loads: Option<Summed>,
 }
 
 /// An examination and its subject.

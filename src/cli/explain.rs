@@ -19,6 +19,7 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Dantzig, Options, Pgs, default_for};
 
 use super::form::Writing;
+use super::loads;
 use super::{Outcome, read_problem};
 
 /// Derive a time step of a scene, or the solution of a problem file, line by line
@@ -69,6 +70,10 @@ pub struct Explain {
     /// Relaxation factor of sor, above 0 and below 2 [default: 1.3, unless the scene sets it]
     #[arg(long, allow_negative_numbers = true)]
     omega: Option<f64>,
+    /// Also list the forces for each pair of bodies and for each contact, and mark the unique ones;
+    /// of a scene those of the last step explained
+    #[arg(long)]
+    loads: bool,
     #[command(flatten)]
     writing: Writing,
 }
@@ -139,7 +144,11 @@ impl Explain {
         let read = read_problem(Path::new(&self.input), Memory::default())?;
         let question = Question::new(&read, self.model, &self.input)?;
         let name = self.solver.as_deref().unwrap_or_else(|| default_for(&read.lcp));
-        problem(&question, &self.method(name, Options::default())?)
+        let mut document = problem(&question, &self.method(name, Options::default())?)?;
+        if self.loads {
+            document.add("", loads::section(&loads::of_problem(&question, &self.input)?));
+        }
+        Ok(document)
     }
 
     fn of_scene(&self) -> Result<Document> {
@@ -164,6 +173,10 @@ impl Explain {
         let mut document = steps(&scene, &method, first..=last)?;
         if self.writing.has_pictures() {
             document.sections.splice(0..0, motion(&scene, method.name(), first, last)?);
+        }
+        if self.loads {
+            scene.solver.name = method.name().into();
+            document.add("", loads::section(&loads::of_scene(&scene, last)));
         }
         Ok(document)
     }

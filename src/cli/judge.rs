@@ -20,7 +20,8 @@ use serde_json::{Map, Value, json};
 
 use super::friction;
 use super::limits::MemoryLimit;
-use super::problem::{check_loads, rows, title};
+use super::loads;
+use super::problem::{rows, title};
 use super::{Outcome, print, read_problem};
 
 /// Check answers from any program against a problem
@@ -102,7 +103,7 @@ impl Judge {
         let input = self.problem.display().to_string();
         let question = Question::new(&problem, self.model, &input)?;
         if self.loads {
-            check_loads(&question, &input)?;
+            loads::check(&question, &input)?;
         }
         match answers.as_slice() {
             [only] if only.iterates.is_empty() => self.one(&question, &only.x),

@@ -16,6 +16,7 @@ mod lesson;
 mod library;
 mod limits;
 mod live;
+mod loads;
 mod mistake;
 mod options;
 mod pdf;

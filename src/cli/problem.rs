@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::error::{Error, Result};
+use lcplab::error::Result;
 use lcplab::judge::{Certificate, Demand, Verdict};
 use lcplab::lcp::Question;
 use lcplab::lcp::file::Problem;
@@ -23,6 +23,7 @@ use serde_json::Value;
 
 use super::friction;
 use super::limits::{Limits, RAISE_MEMORY};
+use super::loads;
 use super::options::{SolverArgs, model_names};
 use super::plugin::Plugins;
 use super::proof;
@@ -99,7 +100,7 @@ impl Solve {
             (self.problem.display().to_string(), model(self.model, solver, &problem, &solvers));
         let question = Question::new(&problem, asked, &input)?;
         if self.loads {
-            check_loads(&question, &input)?;
+            loads::check(&question, &input)?;
         }
         if let Some(model) = question.model() {
             self.tracing.check(false)?;
@@ -180,26 +181,6 @@ impl Solve {
     fn prove(&self, question: &Question, x: &[f64]) -> Result<()> {
         self.proof.as_ref().map_or(Ok(()), |path| proof::write(path, question, x))
     }
-}
-
-/// Checks that the forces of an answer can be summed by bodies.
-///
-/// # Errors
-/// If the file does not say which bodies its rows act between, or friction has a model.
-pub fn check_loads(question: &Question, input: &str) -> Result<()> {
-    let zero = vec![0.0; question.problem().lcp.len()];
-    let reason = match question.model() {
-        Some(model) => {
-            format!(
-                "sums forces of rows with bounds; the friction model of this problem is {model}"
-            )
-        }
-        None if Loads::of(question, &zero).is_none() => {
-            "needs the keys motion, with its level, rows with their bodies, and bodies".into()
-        }
-        None => return Ok(()),
-    };
-    Err(Error::invalid(input, "--loads", reason))
 }
 
 /// The outcome, which is the judge's verdict unless the solver was stopped.

@@ -140,7 +140,8 @@ class Scene:
 
         The keys are those of ``lcplab simulate --loads --json``: ``pairs`` with ``by``, ``on``, ``wrench`` (force in N and
         moment about the center of mass in N m, world axes, on the body ``on``), ``carried`` (N, against gravity), its
-        ``range`` and the ``contacts``; ``bodies`` with the sum of all forces and the weight. A ``range`` has the ``least``
+        ``range`` and the ``contacts``, each with its ``wrench`` and its ``arm``, the contact's point from the center of
+        mass (m); ``bodies`` with the sum of all forces and the weight. A ``range`` has the ``least``
         and the ``most`` value of all forces that cause the same motion and obey the friction limits, and the value in the
         answer with the smallest sum of squares, ``least_norm``; ``is_unique`` says whether least and most differ by at most a
         millionth of the largest force. Without ranges, ``unexamined`` has the reason.

@@ -6,19 +6,17 @@ use clap::Args;
 use lcplab::animation::{Animation, Frame, Recording, Strip, instants};
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::lcp::Question;
 use lcplab::plot::Figure;
 use lcplab::report::aside::{Aside, GRACE};
-use lcplab::report::loads::Loads;
 use lcplab::report::recording::Record;
 use lcplab::report::view;
 use lcplab::scene::Scene;
 use lcplab::simulation::{Cause, Failure, Simulation, Step};
 use lcplab::solver::Stop;
-use serde_json::json;
 
 use super::SceneArgs;
 use crate::cli::limits::Limits;
+use crate::cli::loads::{self, Summed};
 use crate::cli::plugin::Plugins;
 use crate::cli::{Outcome, bar, print};
 
@@ -113,14 +111,13 @@ impl Simulate {
             record.end(failure);
             camera.end(failure);
         }
-        let loads = self.loads.then(|| loads(&scene, camera.step.take().as_ref()));
-        let written = self.write(&scene, &record, camera);
+        let loads = self.loads.then(|| loads::of_step(&scene, camera.step.take().as_ref()));
+        let written = self.write(&scene, &record, camera, loads.as_ref());
         print(&match (self.json, loads) {
             (true, None) => format!("{}\n", record.summary()),
             (true, Some(loads)) => {
                 let mut summary = record.summary();
-                summary["loads"] =
-                    loads.map_or_else(|why| json!({ "unexamined": why }), |loads| loads.json());
+                summary["loads"] = loads::to_json(&loads);
                 format!("{summary}\n")
             }
             (false, None) => record.text(),
@@ -193,16 +190,23 @@ impl Simulate {
     }
 
     /// Writes the folder, if requested.
-    fn write(&self, scene: &Scene, record: &Record, camera: Camera) -> Result<()> {
+    fn write(
+        &self,
+        scene: &Scene,
+        record: &Record,
+        camera: Camera,
+        loads: Option<&Summed>,
+    ) -> Result<()> {
         let Some(folder) = &self.out else { return Ok(()) };
         record.write(folder)?;
         let (states, time) = (&camera.last.states, camera.last.time);
         let saved = self.scene.step.changes.saved(&self.scene.scene, scene, states, time)?;
         file::write_in(folder, "final.toml", &saved)?;
-        let page = view::simulation_page(
+        let mut page = view::simulation_page(
             Animation::new("animation", scene, vec![camera.recording]),
             record,
         );
+        page.sections.extend(loads.map(loads::page_section));
         file::write_in(folder, "index.html", &page.render()?)?;
         let strip = Strip::new(scene, camera.frames);
         let strip = if self.forces { strip.with_forces() } else { strip };
@@ -216,27 +220,6 @@ impl Simulate {
             None => Vec::new(),
         }
     }
-}
-
-/// The forces of the last problem of the last step.
-///
-/// # Errors
-/// With the reason, if there is no such problem, or friction is not that of boxes.
-fn loads(scene: &Scene, last_step: Option<&Step>) -> std::result::Result<Loads, String> {
-    let step = last_step.ok_or("no step was completed")?;
-    let solves = step.posed(scene).map_err(|cause| cause.to_string())?;
-    let Some(last) = solves.last() else {
-        return Err(format!(
-            "the last step of the scheme {} solves no LCP",
-            scene.step.scheme.name()
-        ));
-    };
-    let problem = last.exported(scene, step.number);
-    let question = Question::new(&problem, None, &scene.name).map_err(|cause| cause.to_string())?;
-    Loads::of(&question, &last.solution.x).ok_or_else(|| {
-        let model = scene.contact.model;
-        format!("only the forces of rows with bounds are summed; the friction model is {model}")
-    })
 }
 
 /// The instants for the animation and for the strip of frames.

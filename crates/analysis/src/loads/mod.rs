@@ -48,8 +48,13 @@ pub struct Range {
 pub struct ContactLoad {
     /// The label of its row.
     pub label: String,
-    /// The force on the second body (N or N s), positive if it pushes.
+    /// The normal force (N or N s), positive if it pushes.
     pub value: f64,
+    /// The force on the body with friction, and its moment.
+    pub wrench: Wrench,
+    /// The contact's point from the body's center of mass, in world axes (m); without friction
+    /// rows the nearest point of the line of action; 0 for point masses.
+    pub arm: [f64; 3],
     /// Its range; `None` if it was not examined.
     pub range: Option<Range>,
 }
@@ -127,6 +132,7 @@ impl Loads {
     /// assert!((left.least_norm - 9.81).abs() < 1e-6);
     /// assert!(loads.text().contains("on load by ground"));
     /// assert_eq!(loads.json()["unit"], "N");
+    /// assert_eq!(loads.section().title, "forces by body"); // for a document or a page
     /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn of(question: &Question, x: &[f64]) -> Option<Loads> {
@@ -147,23 +153,30 @@ impl Loads {
         let ranges = Ranges::of(question, x);
         let range = |c: &[(usize, f64)]| ranges.as_ref().ok()?.range(c).map(|range| range.over(dt));
         let pairs = rows_by_pair(problem, &bodies)?.into_iter().map(|pair| {
-            let wrench = wrench(gauss, &bodies[pair.body], &pair.rows, x, dt);
-            let up = direction(gravity, wrench.force);
+            let sum = wrench(gauss, &bodies[pair.body], &pair.rows, x, dt);
+            let up = direction(gravity, sum.force);
             let along = |&i: &usize| {
                 let force = columns(gauss, &bodies[pair.body], i)[0];
                 (i, up.iter().zip(force).map(|(u, f)| u * f).sum::<f64>())
             };
             let parts: Vec<(usize, f64)> = pair.rows.iter().map(along).collect();
-            let contact = |&i: &usize| ContactLoad {
-                label: label(problem, i).unwrap_or_default(),
-                value: x[i] / dt,
-                range: range(&[(i, 1.0)]),
+            let contact = |&i: &usize| {
+                let is_friction = |k: &usize| lcp.coupled_to(*k).is_some_and(|(n, _)| n == i);
+                let own = pair.rows.iter().copied().filter(|k| *k == i || is_friction(k));
+                let own: Vec<usize> = own.collect();
+                ContactLoad {
+                    label: label(problem, i).unwrap_or_default(),
+                    value: x[i] / dt,
+                    wrench: wrench(gauss, &bodies[pair.body], &own, x, dt),
+                    arm: arm(own.iter().map(|&k| columns(gauss, &bodies[pair.body], k)).collect()),
+                    range: range(&[(i, 1.0)]),
+                }
             };
             let is_normal = |i: &&usize| kind(problem, **i) == Some("normal");
             PairLoad {
                 by: pair.by,
                 on: bodies[pair.body].name.clone(),
-                wrench,
+                wrench: sum,
                 carried: parts.iter().map(|(i, part)| part * x[*i]).sum::<f64>() / dt,
                 range: range(&parts),
                 contacts: pair.rows.iter().filter(is_normal).map(contact).collect(),
@@ -264,6 +277,29 @@ fn columns(gauss: &Gauss, body: &Body, row: usize) -> [[f64; 3]; 2] {
         }
     }
     both
+}
+
+/// The point r at which forces along orthogonal unit vectors d have the moments m = r × d.
+///
+/// Σ d × m is 2 r for three directions, and r − d (d·r) for one. Two leave r's part along both once
+/// and the rest twice.
+fn arm(rows: Vec<[[f64; 3]; 2]>) -> [f64; 3] {
+    let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| a[k] * b[k]).sum::<f64>();
+    let mut sum = [0.0; 3];
+    for [d, m] in &rows {
+        for k in 0..3 {
+            let (next, last) = ((k + 1) % 3, (k + 2) % 3);
+            sum[k] += d[next] * m[last] - d[last] * m[next];
+        }
+    }
+    match rows[..] {
+        [[d, _], [e, _]] => {
+            let (along_d, along_e) = (dot(sum, d), dot(sum, e));
+            std::array::from_fn(|k| (sum[k] + along_d * d[k] + along_e * e[k]) / 2.0)
+        }
+        [_, _, _] => sum.map(|part| part / 2.0),
+        _ => sum,
+    }
 }
 
 fn wrench(gauss: &Gauss, body: &Body, rows: &[usize], x: &[f64], dt: f64) -> Wrench {

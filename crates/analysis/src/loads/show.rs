@@ -2,8 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::{ContactLoad, Loads, PairLoad, Range, Wrench};
+use super::{BodyLoad, ContactLoad, Loads, PairLoad, Range, Wrench};
 use lcplab_lcp::file::number;
+use lcplab_page::document::Section;
 use lcplab_page::number::readable;
 
 /// Significant digits.
@@ -27,10 +28,14 @@ impl Loads {
             let force = vector(pair.wrench.force);
             text += &format!("  on {} by {by}: {force}, ", pair.on);
             text += &format!("{}\n", self.carried(pair));
+            let moment = self.moment(pair.wrench);
+            text += &format!("    moment {moment} {unit} m about the center of mass\n");
             for contact in pair.contacts.iter().take(PRINTED) {
                 let value = readable(contact.value, DIGITS);
+                let (force, arm) = (vector(contact.wrench.force), vector(contact.arm));
                 text += &format!("    {}: {value} {unit}", contact.label);
                 text += &self.range(contact.range);
+                text += &format!("; with friction {force}, at {arm} m from the center of mass");
                 text += "\n";
             }
             text += &more(pair.contacts.len(), "contacts");
@@ -44,6 +49,100 @@ impl Loads {
             text += "\n";
         }
         text + &more(self.bodies.len(), "bodies")
+    }
+
+    /// The moment; 0 for one that is only rounding of the forces' moments.
+    fn moment(&self, wrench: Wrench) -> String {
+        let arms = self.pairs.iter().flat_map(|pair| &pair.contacts).flat_map(|own| own.arm);
+        let longest = arms.fold(0.0, |most: f64, arm| most.max(arm.abs()));
+        let size = wrench.force.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+        let cleaned = |m: f64| if m.abs() < 1e-9 * longest * size { 0.0 } else { m };
+        vector(wrench.moment.map(cleaned))
+    }
+
+    /// The forces as a section of a document.
+    pub fn section(&self) -> Section {
+        let unit = self.unit;
+        let mut section = Section::new("forces by body");
+        section.say(match &self.unexamined {
+            Some(why) => format!("Forces in world axes. The ranges are not examined: {why}."),
+            None => "Forces in world axes. A range is the least and the largest value of all forces that \
+                     cause the same motion and obey the friction limits; unique means that both agree to a \
+                     millionth of the largest force. The least-norm answer has the smallest Σ x²."
+                .into(),
+        });
+        let range = |range: Option<Range>| match range {
+            None => String::new(),
+            Some(range) if range.is_unique => "unique".into(),
+            Some(range) => {
+                let [least, most] = [range.least, range.most];
+                format!("{} to {}", self.short(least), self.short(most))
+            }
+        };
+        let least_norm = |range: Option<Range>| {
+            range.map_or(String::new(), |range| self.short(range.least_norm))
+        };
+        let pair = |pair: &PairLoad| {
+            let by = if pair.by.is_empty() { "the world" } else { &pair.by };
+            vec![
+                pair.on.clone(),
+                by.to_string(),
+                vector(pair.wrench.force),
+                self.moment(pair.wrench),
+                self.short(pair.carried),
+                range(pair.range),
+                least_norm(pair.range),
+            ]
+        };
+        let against = format!("against gravity ({unit})");
+        let columns =
+            ["on", "by", &format!("force ({unit})"), &format!("moment ({unit} m)"), &against];
+        let ranges = [&format!("range ({unit})"), &format!("least-norm ({unit})")];
+        let all = [&columns[..], &ranges.map(String::as_str)].concat();
+        section.table("forces between bodies", &all, self.pairs.iter().map(pair).collect());
+        let contact = |contact: &ContactLoad| {
+            vec![
+                contact.label.clone(),
+                self.short(contact.value),
+                vector(contact.wrench.force),
+                vector(contact.arm),
+                range(contact.range),
+                least_norm(contact.range),
+            ]
+        };
+        let (normal, force) = (format!("normal ({unit})"), format!("with friction ({unit})"));
+        let columns = ["contact", &normal, &force, "point from the center of mass (m)"];
+        let all = [&columns[..], &ranges.map(String::as_str)].concat();
+        let contacts: Vec<Vec<String>> =
+            self.pairs.iter().flat_map(|pair| &pair.contacts).map(contact).collect();
+        if !contacts.is_empty() {
+            section.table("forces of contacts", &all, contacts);
+        }
+        let body = |body: &BodyLoad| {
+            vec![
+                body.name.clone(),
+                vector(body.wrench.force),
+                self.moment(body.wrench),
+                body.weight.map_or(String::new(), vector),
+            ]
+        };
+        let columns = [
+            "body",
+            &format!("force ({unit})"),
+            &format!("moment ({unit} m)"),
+            &format!("weight ({unit})"),
+        ];
+        section.table(
+            "sum of all forces on a body",
+            &columns,
+            self.bodies.iter().map(body).collect(),
+        );
+        section
+    }
+
+    /// A number for a cell; 0 for rounding.
+    fn short(&self, value: f64) -> String {
+        readable(self.cleaned(value), DIGITS)
     }
 
     /// What a pair carries, as a part of the weight of its body if that is known.
@@ -100,6 +199,7 @@ impl Loads {
         let contact = |contact: &ContactLoad| {
             json!({
                 "label": contact.label, "value": number(contact.value),
+                "wrench": wrench(&contact.wrench), "arm": numbers(contact.arm),
                 "range": range(contact.range),
             })
         };
