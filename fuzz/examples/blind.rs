@@ -86,8 +86,13 @@ fn seeds(target: &str) -> impl Iterator<Item = PathBuf> {
         let entries = fs::read_dir(folder).into_iter().flatten();
         entries.map(|entry| entry.expect("an entry").path())
     };
-    let ending = if target == "fclib" { "hdf5" } else { target }.to_string();
-    let of_tests = files(tests.join("matlab")).chain(files(tests));
+    let ending = match target {
+        "fclib" => "hdf5",
+        "siconos" => "dat",
+        other => other,
+    };
+    let of_tests = files(tests.join("matlab")).chain(files(tests.join("siconos")));
+    let of_tests = of_tests.chain(files(tests));
     let of_tests = of_tests.filter(move |file| file.extension().is_some_and(|own| *own == *ending));
     files(root.join("corpus").join(target)).chain(of_tests)
 }
