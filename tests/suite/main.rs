@@ -5,6 +5,7 @@ mod architecture;
 mod chapter;
 mod cli;
 mod documentation;
+mod field;
 mod frames;
 mod lesson;
 mod long_run;
