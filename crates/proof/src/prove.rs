@@ -5,10 +5,10 @@ use std::cell::OnceCell;
 use dashu_int::IBig;
 use dashu_ratio::RBig;
 
-use lcplab_judge::cases::{self, Search, Tree};
+use lcplab_judge::cases::{self, Another, Search, Tree};
 use lcplab_judge::{exact, refuting_vector};
 use lcplab_lcp::exact::dyadic::{dyadic, rational, whole};
-use lcplab_lcp::exact::{Exact, Face, Point, SolutionSet};
+use lcplab_lcp::exact::{Exact, Point};
 use lcplab_lcp::friction::ProblemForm;
 use lcplab_lcp::number::counted;
 use lcplab_lcp::{Lcp, Question};
@@ -22,8 +22,6 @@ use crate::{cone, hash, minors, motion, pivot, residual};
 const MOST_ROWS: usize = 500;
 /// With more rows it is not decided whether A + Aᵀ is definite: elimination takes too long.
 const MOST_ROWS_TO_ELIMINATE: usize = 150;
-/// With more rows not all pieces are searched for a second solution.
-const MOST_ROWS_OF_PIECES: usize = 8;
 
 /// The result of a search for a proof.
 #[derive(Debug, Clone)]
@@ -300,19 +298,22 @@ fn another(lcp: &Lcp, solution: &Solution) -> Result<Vec<RBig>, String> {
             step /= RBig::from(2);
         }
     }
-    if lcp.len() > MOST_ROWS_OF_PIECES {
-        return Err("no direction was found in which the solution can be moved".into());
+    match cases::another(lcp, &point(&solution.x), programs_for(lcp.len())) {
+        Some(Another::Solution(other)) => Ok(other.entries()),
+        Some(Another::None) => Err("all cases were tried, and there is no other solution".into()),
+        None if lcp.len() > cases::MOST_ROWS => Err(format!(
+            "no direction was found in which the solution can be moved, and {} are too many to split into cases",
+            counted(lcp.len(), "row")
+        )),
+        None => Err("no other solution was found, and there are too many cases".into()),
     }
-    let Some(set) = SolutionSet::of(lcp) else {
-        return Err("there are too many active sets to try".into());
-    };
-    let along_ray = |face: &Face| -> Option<Vec<RBig>> {
-        let (corner, ray) = (face.corners.first()?, face.rays.first()?);
-        Some(set.corners[*corner].iter().zip(&set.rays[*ray]).map(|(x, d)| x + d).collect())
-    };
-    let points = set.corners.iter().cloned().chain(set.faces.iter().filter_map(along_ray));
-    let other = points.into_iter().find(|other| *other != solution.x);
-    other.ok_or_else(|| "all active sets were tried, and none has another solution".into())
+}
+
+/// Limit on the linear programs of a search for another solution. The time of each grows with the
+/// cube of the rows: the limit is 20 to 30 seconds.
+fn programs_for(rows: usize) -> usize {
+    let of_twelve_rows = 1024;
+    (of_twelve_rows * 12usize.pow(3) / rows.max(1).pow(3)).min(cases::MOST_PROGRAMS)
 }
 
 fn point(x: &[RBig]) -> Point {

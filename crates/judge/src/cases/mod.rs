@@ -25,7 +25,10 @@
 //! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 
+mod another;
 mod program;
+
+pub use another::{Another, another};
 
 use dashu_int::IBig;
 
@@ -184,6 +187,21 @@ impl<'a> Cases<'a> {
 
     /// An x within its bounds whose w satisfies the sides, or the d that proves that there is none.
     fn relaxed(&self, sides: &Sides) -> Result<Point, Vec<(usize, IBig)>> {
+        let system = self.system(sides);
+        system.point().map_err(|p| {
+            let mut d: Vec<(usize, IBig)> = Vec::new();
+            for (&(i, _), p) in system.asked.iter().zip(p) {
+                match d.last_mut() {
+                    Some((last, sum)) if *last == i => *sum += p,
+                    _ => d.push((i, p)),
+                }
+            }
+            shortened(d.into_iter().filter(|(_, p)| *p != IBig::ZERO).collect())
+        })
+    }
+
+    /// The conditions of [`Cases::relaxed`] as linear equations of unknowns that are at least 0.
+    fn system(&self, sides: &Sides) -> System {
         let lcp = self.lcp;
         let n = lcp.len();
         let form = Form::of(lcp, sides);
@@ -203,15 +221,7 @@ impl<'a> Cases<'a> {
             rows.push(row);
         };
         for &(i, sign) in &asked {
-            let mut row = vec![Dyadic::ZERO; form.unknowns];
-            let mut constant = dyadic(lcp.b()[i]);
-            for (j, a) in lcp.matrix().row(i).iter() {
-                let a = dyadic(a);
-                constant += &a * &form.x[j].constant;
-                for (u, factor) in &form.x[j].terms {
-                    row[*u] += &a * factor;
-                }
-            }
+            let (row, mut constant) = form.w(lcp, i);
             // w_i ≥ −error, w_i ≤ error
             match sign {
                 1 => constant += &self.errors[i],
@@ -226,29 +236,7 @@ impl<'a> Cases<'a> {
             // y − limit ≤ 0
             put(row, constant.clone(), -1);
         }
-        let all = integers(&rows.concat());
-        let rows = all.chunks(columns + 1).map(<[IBig]>::to_vec).collect();
-        match program::solve(rows, columns) {
-            program::ProgramResult::Multipliers(p) => {
-                let mut d: Vec<(usize, IBig)> = Vec::new();
-                for (&(i, _), p) in asked.iter().zip(p) {
-                    match d.last_mut() {
-                        Some((last, sum)) if *last == i => *sum += p,
-                        _ => d.push((i, p)),
-                    }
-                }
-                Err(shortened(d.into_iter().filter(|(_, p)| *p != IBig::ZERO).collect()))
-            }
-            program::ProgramResult::Point(y, denominator) => {
-                let denominator = whole(denominator);
-                let y: Vec<Dyadic> = y.into_iter().map(whole).collect();
-                let entry = |x: &Affine| {
-                    let sum = x.terms.iter().map(|(u, factor)| factor * &y[*u]);
-                    sum.fold(&x.constant * &denominator, |sum, term| sum + term)
-                };
-                Ok(Point::new(form.x.iter().map(entry).collect(), denominator))
-            }
-        }
+        System { rows, form, asked }
     }
 
     /// The required signs of w_i. If w_i must be 0 but may have an error, it has both signs.
@@ -270,11 +258,51 @@ fn asked(lcp: &Lcp, sides: &Sides, i: usize) -> Option<i8> {
     }
 }
 
+/// Linear equations of unknowns y ≥ 0.
+struct System {
+    /// The coefficients of the unknowns of x and of the slacks, then the right side.
+    rows: Vec<Vec<Dyadic>>,
+    form: Form,
+    /// The rows of the problem whose w has a required sign, one for each of the first equations.
+    asked: Vec<(usize, i8)>,
+}
+
+impl System {
+    /// The number of unknowns and slacks.
+    fn columns(&self) -> usize {
+        self.rows.first().map_or(self.form.unknowns, |row| row.len() - 1)
+    }
+
+    /// An x that satisfies the equations, or the multipliers that prove that there is none.
+    fn point(&self) -> Result<Point, Vec<IBig>> {
+        let columns = self.columns();
+        let all = integers(&self.rows.concat());
+        let rows = all.chunks(columns + 1).map(<[IBig]>::to_vec).collect();
+        match program::solve(rows, columns) {
+            program::ProgramResult::Multipliers(p) => Err(p),
+            program::ProgramResult::Point(y, denominator) => {
+                let y: Vec<Dyadic> = y.into_iter().map(whole).collect();
+                let denominator = whole(denominator);
+                let x = self.form.x.iter().map(|x| x.scaled_at(&y, &denominator)).collect();
+                Ok(Point::new(x, denominator))
+            }
+        }
+    }
+}
+
 /// An affine function of unknowns y ≥ 0.
 #[derive(Clone)]
 struct Affine {
     terms: Vec<(usize, Dyadic)>,
     constant: Dyadic,
+}
+
+impl Affine {
+    /// Its value at y / denominator, times the denominator.
+    fn scaled_at(&self, y: &[Dyadic], denominator: &Dyadic) -> Dyadic {
+        let sum = self.terms.iter().map(|(u, factor)| factor * &y[*u]);
+        sum.fold(&self.constant * denominator, |sum, term| sum + term)
+    }
 }
 
 /// x as affine functions of unknowns y ≥ 0, which satisfy the sides of x and the lower bounds.
@@ -299,6 +327,20 @@ impl Form {
             form.x[i] = form.rubbing(sides[i], k, &mu);
         }
         form
+    }
+
+    /// w_i as the coefficients of the unknowns, and a constant.
+    fn w(&self, lcp: &Lcp, i: usize) -> (Vec<Dyadic>, Dyadic) {
+        let mut row = vec![Dyadic::ZERO; self.unknowns];
+        let mut constant = dyadic(lcp.b()[i]);
+        for (j, a) in lcp.matrix().row(i).iter() {
+            let a = dyadic(a);
+            constant += &a * &self.x[j].constant;
+            for (u, factor) in &self.x[j].terms {
+                row[*u] += &a * factor;
+            }
+        }
+        (row, constant)
     }
 
     fn unknown(&mut self) -> usize {

@@ -1,6 +1,7 @@
 //! Proofs, compared with closed forms, with all pieces of small problems, and with checkers that
 //! share nothing with them.
 
+mod another;
 mod cases;
 mod checkers;
 mod claims;
