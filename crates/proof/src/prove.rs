@@ -312,8 +312,7 @@ fn another(lcp: &Lcp, solution: &Solution) -> Result<Vec<RBig>, String> {
 /// Limit on the linear programs of a search for another solution. The time of each grows with the
 /// cube of the rows: the limit is 20 to 30 seconds.
 fn programs_for(rows: usize) -> usize {
-    let of_twelve_rows = 1024;
-    (of_twelve_rows * 12usize.pow(3) / rows.max(1).pow(3)).min(cases::MOST_PROGRAMS)
+    (cases::MOST_PROGRAMS * 12usize.pow(3) / rows.max(12).pow(3)).max(1)
 }
 
 fn point(x: &[RBig]) -> Point {
