@@ -93,10 +93,13 @@ def drop_skipped(model, refusals):
     model.dof_armature[:] = 0
     model.opt.density, model.opt.viscosity, model.opt.wind = 0, 0, 0
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
-    for field in ("stiffness", "damping"):
-        getattr(model, f"tendon_{field}")[:] = 0
-    model.tendon_armature[:] = 0
+    for field in ("actuator_armature", "actuator_damping", "actuator_dampingpoly", "tendon_armature"):
+        if hasattr(model, field):
+            getattr(model, field)[:] = 0
     for refusal in refusals:
+        if refusal.element == "tendon" and "equality" not in refusal.reason:
+            for field in ("stiffness", "damping"):
+                getattr(model, f"tendon_{field}")[refusal.place[1]] = 0
         if refusal.element == "joint":
             joint = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, refusal.name)
             joint = joint if joint >= 0 else int(refusal.name.split()[1])

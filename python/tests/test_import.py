@@ -1,5 +1,6 @@
 """Models of MuJoCo as scenes: every number against MuJoCo, every part without a counterpart in the list."""
 
+import re
 import subprocess
 import sys
 
@@ -152,6 +153,56 @@ def test_an_offset_shape_keeps_the_stated_center_of_mass_in_contact():
     assert sorted(normals) == pytest.approx([weight / 4, 3 * weight / 4], rel=1e-9)
 
 
+def test_a_range_with_a_margin_stops_where_mujoco_stops():
+    model = compiled('<body><joint type="slide" axis="1 0 0" range="-1 2" limited="true" margin=".1" solreflimit=".005 1"/>'
+                     '<geom size=".1" mass="1"/></body>', '<option gravity="0 0 0"/>')
+    (_, stops) = lcplab.mujoco.scene(model).scene["constraints"]
+    data = mujoco.MjData(model)
+    for force, stop in zip((-1, 1), stops["limits"]):
+        data.qfrc_applied[0] = force
+        mujoco.mj_step(model, data, nstep=5000)
+        assert data.qpos[0] == pytest.approx(stop, abs=1e-4)
+    model.jnt_margin[0] = 1.6  # leaves no position
+    assert "the range less margin" in str(lcplab.mujoco.scene(model).refusals[0])
+
+
+TIED = """<mujoco><worldbody><site name="hook" pos=".1 .2 3"/>
+  <body name="a" pos="0 0 2" euler="10 20 30"><freejoint/><geom type="box" size=".1 .2 .3"/><site name="a" pos=".1 0 .1"/></body>
+  <body name="b" pos=".5 .3 1"><freejoint/><geom type="box" size=".1 .1 .2"/><site name="b" pos="0 .05 .2"/></body></worldbody>
+  <contact><exclude body1="a" body2="b"/></contact>
+  <tendon><spatial name="up" {up}><site site="a"/><site site="hook"/></spatial>
+    <spatial name="down" {down}><site site="b"/><site site="a"/></spatial></tendon></mujoco>"""
+
+
+def test_springs_of_straight_tendons_accelerate_bodies_as_in_mujoco():
+    springs = 'stiffness="300" springlength=".4" damping="20"', 'damping="30"'
+    model = mujoco.MjModel.from_xml_string(TIED.format(up=springs[0], down=springs[1]))
+    reference = Reference(model, moved(model))
+    assert reference.imported.refusals == []
+    expected = reference.accelerations()
+    weight = np.zeros_like(expected)
+    weight[2::6] = -9.81
+    assert np.abs(expected - weight).max() > 10
+    np.testing.assert_allclose(measured(reference.without_contacts()), expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
+
+
+def test_a_limited_straight_tendon_is_a_rope_that_carries_only_tension():
+    model = mujoco.MjModel.from_xml_string("""<mujoco><worldbody><site name="hook" pos="0 0 1"/>
+      <body name="ball"><freejoint/><geom size=".1" mass="2"/><site name="ball"/></body></worldbody>
+      <tendon><spatial limited="true" range="-1 1.25" margin=".25"><site site="hook"/><site site="ball"/></spatial></tendon></mujoco>""")
+    scene = lcplab.Scene.from_mujoco(model)
+    step = scene.step()
+    assert step.x == pytest.approx([2 * 9.81 * 0.002], rel=1e-9)  # N s: the weight
+    assert np.abs(scene.velocities).max() < 1e-12
+    data = mujoco.MjData(model)
+    data.qpos[2] = 0.5  # slack
+    scene = lcplab.Scene.from_mujoco(model, data)
+    scene.step()
+    assert scene.velocities[0, 2] == pytest.approx(-9.81 * 0.002, rel=1e-9)
+    data.qpos[2] = -0.1
+    assert "the length 1.1 exceeds 1" in str(lcplab.mujoco.scene(model, data).refusals[0])
+
+
 REFUSED = {
     "armature": ('<joint name="j" armature=".1"/><geom size=".1"/>', "", "<joint> 'j' of body 'b': armature = 0.1"),
     "several hinges": ('<joint name="j" axis="1 0 0" damping="1"/><joint axis="0 1 0"/><geom size=".1"/>', "",
@@ -173,6 +224,19 @@ REFUSED = {
     "fluid": ('<freejoint/><geom size=".1"/>', '<option density="1.2"/>', "<option> 'density': forces of a fluid"),
     "coupling": ('<joint name="j"/><geom size=".1"/>', '<equality><joint name="gear" joint1="j"/></equality>',
                  "<joint> 'gear': an equality of this kind, such as a coupling"),
+    "rotor of an actuator": ('<joint name="j"/><geom size=".1"/>', '<actuator><motor name="m" joint="j" gear="5" armature=".1"/></actuator>',
+                             "<actuator> 'm': armature = 0.1"),
+    "damper of an actuator": ('<joint name="j"/><geom size=".1"/>',
+                              '<option><flag actuation="disable"/></option><actuator><motor name="m" joint="j" damping=".1"/></actuator>',
+                              "<actuator> 'm': damping = 0.1"),
+    "spring of a free joint": ('<joint name="j" type="free" stiffness="3"/><geom size=".1"/>', "", "stiffness of a free joint"),
+    "higher terms of a hinge": ('<joint name="j" stiffness="0 .5 .5"/><geom size=".1"/>', "", "with terms of higher order"),
+    "higher terms of a ball": ('<joint name="j" type="ball" damping="0 .5 .5"/><geom size=".1"/>', "", "damping of a ball joint"),
+    "higher terms of a tendon": ('<joint name="j"/><geom size=".1"/>',
+                                 '<tendon><fixed name="t" damping="0 .5 .5"><joint joint="j" coef="1"/></fixed></tendon>',
+                                 "<tendon> 't': dampingpoly of a tendon"),
+    "sleep": ('<joint name="j"/><geom size=".1"/></body><body name="s" sleep="init"><freejoint/><geom size=".1"/>',
+              '<option><flag sleep="enable"/></option>', "<body> 's': sleep = init"),
     "tendon": ('<joint name="j"/><geom size=".1"/>',
                '<tendon><fixed name="cable" stiffness="3"><joint joint="j" coef="1"/></fixed></tendon>',
                "<tendon> 'cable': stiffness of a tendon"),
@@ -239,6 +303,68 @@ def test_the_command_refuses_with_file_line_and_element_and_skips_on_request(tmp
     assert done.returncode == 0 and f"skipped: stack.xml:{line}: <joint> 'lift'" in done.stderr
     written = (tmp_path / "stack.toml").read_text()
     assert f"# Skipped: stack.xml:{line}: <joint> 'lift'" in written and 'kind = "slider"' in written
+
+
+#: Elements without names, one a line; each of those marked with a number is refused at its own line.
+UNNAMED = """<mujoco>
+<option timestep="0.01"/>
+<option density="1"/>  <!-- 3: density -->
+<option><flag limit="disable"/></option>  <!-- 4: 'limit' -->
+<default><geom size=".1"/><joint damping="0"/></default>
+<worldbody>
+<geom type="plane" size="1 1 1" pos="0 0 -9"/>
+<frame pos="0 0 1">
+<body>
+<joint axis="1 0 0"/>
+<geom/>
+<body pos="1 0 0">
+<joint armature=".1"/>  <!-- 13: armature = 0.1 -->
+<geom contype="0" conaffinity="0"/>
+</body>
+<geom pos="0 9 0" condim="4"/>  <!-- 16: condim = 4 -->
+</body>
+</frame>
+<replicate count="2" offset="0 5 0">
+<body>
+<joint type="ball" damping=".3"/>  <!-- 21: damping of a ball -->
+<geom pos="0 0 .3"/>
+</body>
+</replicate>
+<include file="part.xml"/>
+<body name="last" pos="9 0 0"><joint name="last"/>
+<geom margin=".01"/>  <!-- 27: margin -->
+</body>
+</worldbody>
+<actuator>
+<motor joint="last"/>
+<position joint="last"/>  <!-- 32: its force depends -->
+</actuator>
+<equality>
+<joint joint1="last"/>  <!-- 35: an equality of this kind -->
+</equality>
+<tendon>
+<fixed frictionloss="1"><joint joint="last" coef="1"/></fixed>  <!-- 38: frictionloss of a tendon -->
+</tendon>
+</mujoco>
+"""
+PART = """<mujocoinclude>
+<body pos="0 0 5">
+<freejoint/>
+<geom type="ellipsoid" size=".1 .2 .3"/>  <!-- 4: 'ellipsoid' -->
+</body>
+</mujocoinclude>
+"""
+
+
+def test_elements_without_names_are_refused_at_their_lines_also_in_included_files(tmp_path):
+    (tmp_path / "robot.xml").write_text(UNNAMED)
+    (tmp_path / "part.xml").write_text(PART)
+    done = command("import", "robot.xml", cwd=tmp_path)
+    lines = done.stderr.splitlines()
+    for name, text in (("robot.xml", UNNAMED), ("part.xml", PART)):
+        for number, message in re.findall(r"<!-- (\d+): (.*?) -->", text):
+            assert any(line.startswith(f"error: {name}:{number}: <") and message in line for line in lines), (message, lines)
+    assert done.returncode == 2 and all(re.match(r"error: \w+\.xml:\d+: <", line) for line in lines[:-1])
 
 
 def test_the_command_imports_a_keyframe_and_finds_elements_that_share_a_name(tmp_path):

@@ -87,7 +87,7 @@ def compensation(model: Model, root: int, log: Log) -> dict[str, Any]:
     with_mass = [body for body in model.groups[root] if own.body_mass[body] > 0]
     shares = {float(own.body_gravcomp[body]) for body in lifted}
     if len(shares) > 1 or lifted != with_mass:
-        log.refuse("body", model.names[root], "its welded bodies have different gravcomp")
+        log.refuse("body", model.names[root], "its welded bodies have different gravcomp", place=("body", root))
         return {}
     force = -shares.pop() * float(own.body_mass[with_mass].sum()) * gravity(model)
     return {"force": force.tolist()}

@@ -58,7 +58,7 @@ def _scene(path: Path, keyframe: str | None, skip: bool) -> str:
     """The text of the scene; refusals are reported on standard error."""
     model = compiled(path)
     imported = _import.scene(model, _state(path, model, keyframe))
-    listed = [f"{where}: {refusal}" for where, refusal in _places(path, imported.refusals)]
+    listed = [f"{where}: {refusal}" for where, refusal in _places(path, model, imported.refusals)]
     if listed and not skip:
         raise InputError("\n".join([*listed, f"{path}: is not imported; --skip leaves out these parts"]))
     for line in [f"skipped: {line}" for line in listed] + [f"note: {line}" for line in imported.notes]:
@@ -68,12 +68,12 @@ def _scene(path: Path, keyframe: str | None, skip: bool) -> str:
     return toml.text(imported.scene, comments)
 
 
-def _places(path: Path, refusals: list[_import.Refusal]) -> list[tuple[str, _import.Refusal]]:
+def _places(path: Path, model: Any, refusals: list[_import.Refusal]) -> list[tuple[str, _import.Refusal]]:
     try:
-        lines = Lines(path)
+        lines = Lines(path, model)
     except ExpatError:
         return [(str(path), refusal) for refusal in refusals]
-    return [(lines.place(refusal.element, refusal.name, refusal.body), refusal) for refusal in refusals]
+    return [(lines.place(refusal), refusal) for refusal in refusals]
 
 
 def compiled(path: Path) -> Any:

@@ -23,6 +23,8 @@ class Surface:
 
     friction: tuple[float, float]
     dimension: int
+    #: The element of the model that states them: a pair or a geom, and its number.
+    place: tuple[str, int]
 
 
 def pairs(model: Model) -> list[Pair]:
@@ -47,11 +49,12 @@ def friction(
     counts = Counter(owners.values())
     for names, geoms in touching.items():
         first, second = sorted(names)
+        label, place = f"{first}, {second}", ("geom", geoms[0][1])
         if names in joined:
-            log.refuse("contact", f"{first}, {second}", "joined bodies do not touch in a scene")
+            log.refuse("contact", label, "joined bodies do not touch in a scene", place=place)
             continue
         if len(geoms) < counts[first] * counts[second]:
-            log.refuse("contact", f"{first}, {second}", "only some geoms of these bodies collide with each other")
+            log.refuse("contact", label, "only some geoms of these bodies collide with each other", place=place)
         coefficients[names] = _of_bodies(model, first, second, geoms, log)
     usual = Counter(coefficients.values()).most_common(1)[0][0] if coefficients else 0.0
     names_in_order = list(dict.fromkeys(owners.values()))
@@ -69,19 +72,21 @@ def friction(
 
 def _of_bodies(model: Model, first: str, second: str, geoms: Iterable[Pair], log: Log) -> float:
     """The coefficient of friction of two bodies; the smallest one if their geoms differ and this is skipped."""
-    found: set[float] = set()
+    label, found = f"{first}, {second}", dict[float, tuple[str, int]]()
+    refused: dict[str, tuple[str, int]] = {}
     for pair in geoms:
         surface = surface_of(model, pair)
-        label = f"{first}, {second}"
         if surface.dimension > 3:
             reason = f"condim = {surface.dimension}: a scene has no torsional and rolling friction"
-            log.refuse("contact", label, reason)
+            refused.setdefault(reason, surface.place)
         if surface.friction[0] != surface.friction[1]:
-            log.refuse("contact", label, "different friction along two tangents has no counterpart")
-        found.add(min(surface.friction) if surface.dimension > 1 else 0.0)
+            refused.setdefault("different friction along two tangents has no counterpart", surface.place)
+        found.setdefault(min(surface.friction) if surface.dimension > 1 else 0.0, surface.place)
     if len(found) > 1:
         values = ", ".join(f"{value:g}" for value in sorted(found))
-        log.refuse("contact", f"{first}, {second}", f"its geoms have different friction: {values}")
+        refused[f"its geoms have different friction: {values}"] = list(found.values())[-1]
+    for reason, place in refused.items():
+        log.refuse("contact", label, reason, place=place)
     return min(found)
 
 
@@ -91,11 +96,12 @@ def surface_of(model: Model, pair: Pair) -> Surface:
     for number in range(own.npair):
         if {int(own.pair_geom1[number]), int(own.pair_geom2[number])} == set(pair):
             values = own.pair_friction[number]
-            return Surface((float(values[0]), float(values[1])), int(own.pair_dim[number]))
+            return Surface((float(values[0]), float(values[1])), int(own.pair_dim[number]), ("pair", number))
     priorities = own.geom_priority[list(pair)]
     chosen = [pair[int(np.argmax(priorities))]] if priorities[0] != priorities[1] else list(pair)
     coefficient = float(np.max(own.geom_friction[chosen, 0]))
-    return Surface((coefficient, coefficient), int(np.max(own.geom_condim[chosen])))
+    stated = chosen[int(np.argmax(own.geom_condim[chosen]))]
+    return Surface((coefficient, coefficient), int(own.geom_condim[stated]), ("geom", stated))
 
 
 def check_geoms(model: Model, owners: dict[int, str], log: Log) -> None:
@@ -104,8 +110,9 @@ def check_geoms(model: Model, owners: dict[int, str], log: Log) -> None:
     for geom, body in owners.items():
         for field, what in (("margin", "contacts act at a distance"), ("adhesion", "adhesion"), ("surfacevel", "a moving surface")):
             if hasattr(own, f"geom_{field}") and np.any(getattr(own, f"geom_{field}")[geom]):
-                log.refuse("geom", model.name("geom", geom), f"{field}: {what}, which has no counterpart", body)
+                reason = f"{field}: {what}, which has no counterpart"
+                log.refuse("geom", model.name("geom", geom), reason, body, ("geom", geom))
     for number in range(own.npair):
         if own.pair_margin[number]:
             name = model.name("pair", number)
-            log.refuse("pair", name, "margin: contacts act at a distance, which has no counterpart")
+            log.refuse("pair", name, "margin: contacts act at a distance, which has no counterpart", place=("pair", number))

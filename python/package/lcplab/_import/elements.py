@@ -1,4 +1,4 @@
-"""Elements of a model besides bodies and joints: equalities, actuators, tendons, options and applied forces."""
+"""Elements of a model besides bodies and joints: equalities, actuators, options and applied forces."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def equalities(model: Model, log: Log) -> list[dict[str, Any]]:
         name = model.name("equality", number)
         constraint = _equality(model, number)
         if isinstance(constraint, str):
-            log.refuse(kind, name, constraint)
+            log.refuse(kind, name, constraint, place=("equality", number))
         else:
             found.append(constraint)
     return found
@@ -72,34 +72,40 @@ def _turned(model: Model, number: int, one: int, other: int) -> float:
 
 
 def check_actuators(model: Model, log: Log) -> None:
-    """Refuse an actuator that acts at the imported control; one without force is noted."""
+    """Refuse an actuator that acts at the imported control, or without one; those without force are noted."""
     own, data = model.model, model.data
-    if is_disabled(own, "ACTUATION"):
-        return
-    kind = "actuator"
+    idle = []
     for number in range(own.nu):
-        name = model.name(kind, number)
-        is_feedback = int(own.actuator_biastype[number]) != 0 or int(own.actuator_gaintype[number]) != 0
-        if is_feedback:
-            log.refuse(kind, name, "its force depends on position or speed, which has no counterpart")
-        elif data.actuator_force[number] != 0:
-            log.refuse(kind, name, f"its force {data.actuator_force[number]:g} at this control has no counterpart")
-        elif own.actuator_dyntype[number] != 0 and np.any(data.act_dot[own.actuator_actadr[number]]):
-            log.refuse(kind, name, "its activation changes, which has no counterpart")
-        else:
-            log.note(f"actuator {name!r} exerts no force at this control and is left out")
+        name = model.name("actuator", number)
+        reasons = _properties_of_actuator(model, number)
+        if not is_disabled(own, "ACTUATION"):
+            is_feedback = int(own.actuator_biastype[number]) != 0 or int(own.actuator_gaintype[number]) != 0
+            if is_feedback:
+                reasons.append("its force depends on position or speed, which has no counterpart")
+            elif data.actuator_force[number] != 0:
+                reasons.append(f"its force {data.actuator_force[number]:g} at this control has no counterpart")
+            elif own.actuator_dyntype[number] != 0 and np.any(data.act_dot[own.actuator_actadr[number]]):
+                reasons.append("its activation changes, which has no counterpart")
+        for reason in reasons:
+            log.refuse("actuator", name, reason, place=("actuator", number))
+        if not reasons:
+            idle.append(repr(name))
+    if idle:
+        log.note(f"actuators that exert no force at this control are left out: {', '.join(idle)}")
 
 
-def check_tendons(model: Model, log: Log) -> None:
-    """Refuse tendons that exert forces by themselves."""
-    own = model.model
-    for number in range(own.ntendon):
-        acts = [
-            field for field in ("stiffness", "damping", "frictionloss", "armature", "limited")
-            if hasattr(own, f"tendon_{field}") and np.any(getattr(own, f"tendon_{field}")[number])
-        ]
-        if acts:
-            log.refuse("tendon", model.name("tendon", number), f"{', '.join(acts)} of a tendon has no counterpart")
+def _properties_of_actuator(model: Model, number: int) -> list[str]:
+    """Why an actuator acts on a joint even without control: MuJoCo adds its rotor and its damping to the joint's."""
+    reasons = []
+    for field, reason in (
+        ("armature", "a scene has no inertia of rotors"),
+        ("damping", "a damper of an actuator has no counterpart; give it to the joint, times gear²"),
+        ("dampingpoly", "damping with terms of higher order has no counterpart"),
+    ):
+        values = getattr(model.model, f"actuator_{field}", None)
+        if values is not None and np.any(values[number]):
+            reasons.append(f"{field} = {' '.join(f'{value:g}' for value in np.ravel(values[number]))}: {reason}")
+    return reasons
 
 
 def check_options(model: Model, log: Log) -> None:
@@ -113,6 +119,9 @@ def check_options(model: Model, log: Log) -> None:
             log.refuse("flag", flag.lower(), "is disabled; a scene has no such flag")
     if own.opt.enableflags & int(model.mujoco.mjtEnableBit.mjENBL_OVERRIDE):
         log.refuse("flag", "override", "is enabled, and replaces margin and softness of all contacts")
+    for tree in _sleeping(model):
+        body = int(np.flatnonzero(own.body_treeid == tree)[0])
+        log.refuse("body", model.names[body], "sleep = init: a body that is asleep at the start has no counterpart", place=("body", body))
     for field in ("qfrc_applied", "xfrc_applied"):
         if np.any(getattr(data, field)):
             log.refuse("data", field, "applied forces are not translated")
@@ -121,3 +130,12 @@ def check_options(model: Model, log: Log) -> None:
     if own.nplugin:
         log.refuse("plugin", f"{own.nplugin} plugins", "plugins have no counterpart")
     log.note("contacts, limits and equalities are rigid: solref and solimp are not translated")
+
+
+def _sleeping(model: Model) -> list[int]:
+    """The trees that sleep from the start, so that they do not fall, as far as this version has them."""
+    own, mujoco = model.model, model.mujoco
+    is_enabled = own.opt.enableflags & int(getattr(mujoco.mjtEnableBit, "mjENBL_SLEEP", 0))
+    if not is_enabled or not hasattr(own, "tree_sleep_policy"):
+        return []
+    return [int(tree) for tree in np.flatnonzero(own.tree_sleep_policy == int(mujoco.mjtSleepPolicy.mjSLEEP_INIT))]

@@ -19,6 +19,9 @@ SAME = 1e-9
 #: The arm (m) of a spring along a slide, added to the length of its range.
 ARM = 10.0
 
+#: Properties of joints; the first one has a counterpart for no joint.
+FIELDS = ("armature", "stiffness", "damping", "frictionloss")
+
 Constraint = dict[str, Any]
 
 
@@ -33,6 +36,10 @@ class Joint:
     axis: Array
     position: float
 
+    def refuse(self, reason: str, body: str, log: Log) -> None:
+        """Add to the list of what has no counterpart."""
+        log.refuse("joint", self.name, reason, body, ("joint", self.number))
+
 
 def of_group(model: Model, root: int, log: Log) -> list[Constraint]:
     """The constraints between a moving group and its parent."""
@@ -44,7 +51,7 @@ def of_group(model: Model, root: int, log: Log) -> list[Constraint]:
     bodies = model.bodies_of(model.parent(root), root)
     found = _kinematics(joints, bodies)
     if isinstance(found, str):
-        log.refuse("joint", joints[0].name, f"{found}; if skipped, the body is welded", model.names[root])
+        joints[0].refuse(f"{found}; if skipped, the body is welded", model.names[root], log)
         return [{"kind": "fixed", "bodies": bodies}]
     for joint in joints:
         found += _passive(model, root, joint, joints, bodies, log)
@@ -145,10 +152,19 @@ def _perpendicular(axis: Array) -> list[Array]:
 
 
 def _check_free(model: Model, root: int, joint: Joint, log: Log) -> None:
-    dof = int(model.model.jnt_dofadr[joint.number])
-    for field in ("armature", "damping", "frictionloss"):
-        if np.any(getattr(model.model, f"dof_{field}")[dof : dof + 6]):
-            log.refuse("joint", joint.name, f"{field} of a free joint has no counterpart", model.names[root])
+    for field in ("armature", "stiffness", "damping", "frictionloss"):
+        if any(np.any(values) for values in _values(model, joint, field)):
+            joint.refuse(f"{field} of a free joint has no counterpart", model.names[root], log)
+
+
+def _values(model: Model, joint: Joint, field: str) -> list[Array]:
+    """The linear value of a property of a joint, and its terms of higher order, if it has any."""
+    own, number = model.model, joint.number
+    first = int(own.jnt_dofadr[number])
+    dofs = slice(first, first + {FREE: 6, BALL: 3}.get(joint.kind, 1))
+    prefix, at = ("jnt_", number) if field == "stiffness" else ("dof_", dofs)
+    names = [name for name in (f"{prefix}{field}", f"{prefix}{field}poly") if hasattr(own, name)]
+    return [np.ravel(getattr(own, name)[at]) for name in names]
 
 
 def _passive(
@@ -156,21 +172,20 @@ def _passive(
 ) -> list[Constraint]:
     """Range, spring, damper and friction of a joint; its armature has no counterpart."""
     own = model.model
-    dofs = slice(own.jnt_dofadr[joint.number], own.jnt_dofadr[joint.number] + (3 if joint.kind == BALL else 1))
 
     def refuse(reason: str) -> None:
-        log.refuse("joint", joint.name, reason, model.names[root])
+        joint.refuse(reason, model.names[root], log)
 
-    if (armature := float(np.max(own.dof_armature[dofs]))) > 0:
-        refuse(f"armature = {armature:g}: a scene has no inertia of rotors")
+    linear = {field: float(np.max(_values(model, joint, field)[0])) for field in FIELDS}
+    if linear["armature"] > 0:
+        refuse(f"armature = {linear['armature']:g}: a scene has no inertia of rotors")
     is_limited = bool(own.jnt_limited[joint.number])
-    stiffness = float(np.ravel(own.jnt_stiffness[joint.number])[0])
-    damping, loss = float(np.max(own.dof_damping[dofs])), float(np.max(own.dof_frictionloss[dofs]))
     hinges = [other for other in joints if other.kind == HINGE]
     if joint.kind == BALL or (joint.kind == HINGE and len(hinges) > 1):
         is_of = "a ball joint" if joint.kind == BALL else "one of several hinges of a body"
-        for field, value in (("range", is_limited), ("stiffness", stiffness), ("damping", damping), ("frictionloss", loss)):
-            if value:
+        acts = {field: any(np.any(values) for values in _values(model, joint, field)) for field in FIELDS[1:]}
+        for field, is_present in ({"range": is_limited} | acts).items():
+            if is_present:
                 refuse(f"{field} of {is_of} has no counterpart")
         return []
     found: list[Constraint] = []
@@ -178,18 +193,24 @@ def _passive(
     base: Constraint = {"bodies": bodies, "axis": joint.axis.tolist()}
     place = {"point": joint.point.tolist()} if joint.kind == SLIDE else {}
     if is_limited:
-        lower, upper = (float(value) for value in own.jnt_range[joint.number])
+        # MuJoCo stops the joint at this distance from its range.
+        margin = float(own.jnt_margin[joint.number])
+        lower, upper = own.jnt_range[joint.number].astype(float) + (margin, -margin)
         if not lower <= joint.position <= upper:
-            refuse(f"range: the position {joint.position:g} is outside of {lower:g} … {upper:g}")
+            within = f"{lower:g} … {upper:g}" + (", the range less margin" if margin else "")
+            refuse(f"range: the position {joint.position:g} is outside of {within}")
         elif lower == upper or (joint.kind == HINGE and upper - lower >= 2 * np.pi):
             refuse(f"range = {lower:g} {upper:g}: stops must differ, and be less than a turn apart")
         else:
-            limits = [lower - joint.position, upper - joint.position]
+            limits = [float(lower - joint.position), float(upper - joint.position)]
             found.append({"kind": f"limit_{word}", **base, **place, "limits": limits})
-    if loss:
+    if loss := linear["frictionloss"]:
         found.append({"kind": f"motor_{word}", **base, **place, "speed": 0.0, "effort": loss})
-    if stiffness or damping:
-        spring = _spring(model, joint, joints, bodies, stiffness, damping)
+    terms = [_values(model, joint, field) for field in ("stiffness", "damping")]
+    if any(np.any(higher) for _, *rest in terms for higher in rest):
+        refuse("stiffness and damping with terms of higher order have no counterpart")
+    elif linear["stiffness"] or linear["damping"]:
+        spring = _spring(model, joint, joints, bodies, linear["stiffness"], linear["damping"])
         if isinstance(spring, str):
             refuse(spring)
         else:
@@ -203,9 +224,6 @@ def _spring(
     """A spring and damper, or the reason why a scene has none."""
     own = model.model
     stretch = joint.position - float(own.qpos_spring[own.jnt_qposadr[joint.number]])
-    terms = (("jnt_stiffnesspoly", joint.number), ("dof_dampingpoly", int(own.jnt_dofadr[joint.number])))
-    if any(np.any(getattr(own, field)[number]) for field, number in terms if hasattr(own, field)):
-        return "stiffness and damping with terms of higher order have no counterpart"
     law = {"bodies": bodies, "stiffness": stiffness, "damping": damping}
     if joint.kind == HINGE:
         if stiffness and abs(stretch) > SAME:

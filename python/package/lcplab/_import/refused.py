@@ -13,8 +13,10 @@ class Refusal:
     element: str
     name: str
     reason: str
-    #: The body of the element, if it has one: it locates an element without a name.
+    #: The body of the element, if it has one.
     body: str = ""
+    #: Where the element is in the compiled model: its kind, and its number among them.
+    place: tuple[str, int] | None = None
 
     def __str__(self) -> str:
         where = f" of body {self.body!r}" if self.body and self.element != "body" else ""
@@ -28,9 +30,11 @@ class Log:
     refusals: list[Refusal] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
-    def refuse(self, element: str, name: str, reason: str, body: str = "") -> None:
+    def refuse(
+        self, element: str, name: str, reason: str, body: str = "", place: tuple[str, int] | None = None
+    ) -> None:
         """Add an element that has no counterpart."""
-        self.refusals.append(Refusal(element, name, reason, body))
+        self.refusals.append(Refusal(element, name, reason, body, place))
 
     def note(self, text: str) -> None:
         """Add a remark, once."""

@@ -58,7 +58,7 @@ def of_group(
     for geom in geoms:
         shape = of_geom(model, geom)
         if isinstance(shape, str):
-            log.refuse("geom", model.name("geom", geom), shape, model.names[root])
+            log.refuse("geom", model.name("geom", geom), shape, model.names[root], ("geom", geom))
         else:
             found.append((geom, shape))
     if not found:
@@ -90,7 +90,7 @@ def fixed(model: Model, geom: int, name: str, log: Log) -> dict[str, Any] | None
     """A fixed body for a geom of the world."""
     shape = of_geom(model, geom)
     if isinstance(shape, str):
-        log.refuse("geom", model.name("geom", geom), shape)
+        log.refuse("geom", model.name("geom", geom), shape, place=("geom", geom))
         return None
     turn = model.data.geom_xmat[geom].reshape(3, 3)
     place = {"position": model.data.geom_xpos[geom].tolist()}
