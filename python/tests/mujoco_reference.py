@@ -52,7 +52,9 @@ class Reference:
             {key: value for key, value in body.items() if key != "without_contact"} | {"shape": {"sphere": TINY}}
             for body in scene["bodies"] if not body.get("fixed")
         ]
-        constraints = [c for c in scene.get("constraints", []) if not c["kind"].startswith(("limit", "motor"))]
+        constraints = [c for c in scene.get("constraints", []) if not c["kind"].startswith("limit")]
+        # A motor of speed 0 is dry friction; others exert their whole effort.
+        constraints = [c for c in constraints if c.get("speed") != 0]
         # An explicit integrator takes springs and dampers as forces, as qacc_smooth does.
         step = {"dt": 1e-3, "scheme": "acceleration", "integrator": "explicit-euler", "events": False}
         return {"gravity": scene["gravity"], "bodies": bodies, "constraints": constraints, "step": step}
@@ -92,11 +94,12 @@ def drop_skipped(model, refusals):
     """Remove from a model what the import skips, as far as it acts without contacts."""
     model.dof_armature[:] = 0
     model.opt.density, model.opt.viscosity, model.opt.wind = 0, 0, 0
-    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
     for field in ("actuator_armature", "actuator_damping", "actuator_dampingpoly", "tendon_armature"):
         if hasattr(model, field):
             getattr(model, field)[:] = 0
     for refusal in refusals:
+        if refusal.element == "actuator":
+            model.actuator_gear[refusal.place[1]] = 0
         if refusal.element == "tendon" and "equality" not in refusal.reason:
             for field in ("stiffness", "damping"):
                 getattr(model, f"tendon_{field}")[refusal.place[1]] = 0
@@ -146,7 +149,7 @@ def eliminated(mass, joints, rows):
 
 def joint_rows(description):
     """Masses and the rows of joints of a scene without its springs, from the problem of its first step."""
-    rigid = [c for c in description["constraints"] if not c["kind"].startswith("spring")]
+    rigid = [c for c in description["constraints"] if not c["kind"].startswith(("spring", "motor"))]
     scene = lcplab.Scene.of({**description, "constraints": rigid})
     scene.step("dantzig")
     problem = scene.problem().to_json()

@@ -67,8 +67,6 @@ def moved(model):
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_masses_joints_and_accelerations_are_those_of_mujoco(name):
     model = compiled(MECHANISMS[name])
-    if name == "planar":  # a torsion spring of a scene is at rest at the start
-        model.qpos_spring[3] = moved(model).qpos[3]
     reference = Reference(model, moved(model))
     assert reference.imported.refusals == []
     jacobian, _ = reference.motions()
@@ -81,6 +79,60 @@ def test_masses_joints_and_accelerations_are_those_of_mujoco(name):
     assert np.abs(rows @ jacobian).max() < 1e-12
     assert np.linalg.matrix_rank(rows, tol=1e-9) == rows.shape[1] - model.nv
     np.testing.assert_allclose(mass, mass_of(scene), rtol=1e-12, atol=1e-15)
+
+
+DRIVEN = """<mujoco><compiler angle="radian"/><worldbody><body pos="0 0 1"><joint name="a" axis="0 1 .3" stiffness="4" springref=".7"/>
+    <geom type="capsule" size=".05" fromto="0 0 0 .4 .1 0"/>
+    <body pos=".4 .1 0"><joint name="b" type="slide" axis="1 0 0"/><geom type="box" size=".1 .05 .05" pos=".1 .02 0"/>
+      <body pos=".2 0 0"><joint name="c" axis="0 0 1"/><geom type="capsule" size=".05" fromto="0 0 0 .3 0 .1"/></body></body></body></worldbody>
+  <actuator><motor joint="a" gear="-3" ctrlrange="-1 1" ctrllimited="true"/><position joint="b" kp="20" kv="3" gear="2"/>
+    <velocity joint="c" kv=".5" gear="-1.5"/><motor joint="c" forcerange="-.2 .2" forcelimited="true"/></actuator></mujoco>"""
+
+
+def test_motors_and_servos_accelerate_bodies_as_in_mujoco():
+    model = mujoco.MjModel.from_xml_string(DRIVEN)
+    data = moved(model)
+    data.ctrl[:] = 2, 0.3, -4, 5  # the first and the last are limited to 1 and 0.2
+    reference = Reference(model, data)
+    assert reference.imported.refusals == []
+    without = Reference(model, moved(model))
+    expected = reference.accelerations()
+    assert np.abs(expected - without.accelerations()).max() > 1
+    np.testing.assert_allclose(measured(reference.without_contacts()), expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
+
+
+def test_springs_of_servos_move_their_joints_as_in_mujoco():
+    model = mujoco.MjModel.from_xml_string(DRIVEN)
+    data = moved(model)
+    data.ctrl[:] = 0.5, 0.3, -4, 0.1
+    description = {**lcplab.mujoco.scene(model, data).scene, "step": {"dt": 1e-3}}
+    errors = []
+    for dt in (1e-3, 5e-4):
+        scene, run = lcplab.Scene.of({**description, "step": {"dt": dt}}), mujoco.MjData(model)
+        mujoco.mj_copyData(run, model, data)
+        model.opt.timestep = dt / 20
+        for _ in range(round(0.2 / dt)):
+            scene.step()
+            mujoco.mj_step(model, run, nstep=20)
+        mujoco.mj_forward(model, run)
+        errors.append(np.abs(scene.poses[:, :3] - run.xipos[1:]).max())
+    # The error of the time step is of first order, and small.
+    assert errors[0] < 2e-3 and errors[1] == pytest.approx(errors[0] / 2, rel=0.1)
+
+
+def test_a_motor_whose_force_changes_or_is_limited_by_its_joint_is_refused():
+    text = '<mujoco><worldbody><body><joint name="j" actuatorfrcrange="-1 1"/><geom size=".1" pos=".1 0 0"/></body></worldbody>' \
+           '<actuator><motor joint="j"/><general joint="j" dyntype="filter" dynprm="1"/></actuator></mujoco>'
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    assert lcplab.mujoco.scene(model, data).refusals == []
+    for ctrl, message in (((0, 1), "its activation changes"), ((2, 0), "limit of its joint's actuator force is reached")):
+        data.ctrl[:] = ctrl
+        (refusal,) = lcplab.mujoco.scene(model, data).refusals
+        assert message in refusal.reason
+    data.ctrl[:] = 0.5, 0
+    (_, motor) = lcplab.mujoco.scene(model, data).scene["constraints"]
+    assert motor["effort"] == 0.5 and lcplab.Scene.from_mujoco(model, data).step()
 
 
 def test_a_of_contacts_is_that_of_mujoco_after_the_joints_are_eliminated():
@@ -211,7 +263,6 @@ REFUSED = {
                   "two hinges of one body whose axes are not perpendicular"),
     "slide after hinge": ('<joint name="j" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><geom size=".1"/>', "",
                           "a slide after a hinge"),
-    "wound spring": ('<joint name="j" stiffness="1" springref="30"/><geom size=".1"/>', "", "stiffness: the spring is"),
     "ball range": ('<joint name="j" type="ball" range="0 30"/><geom size=".1"/>', "", "range of a ball joint"),
     "ellipsoid": ('<freejoint/><geom name="g" type="ellipsoid" size=".1 .2 .3"/>',
                   '<worldbody><geom type="plane" size="1 1 1"/></worldbody>', "<geom> 'g' of body 'b': type 'ellipsoid'"),
@@ -219,8 +270,13 @@ REFUSED = {
                '<worldbody><geom name="floor" type="plane" size="1 1 1"/></worldbody>', "<contact> 'b, floor': condim = 4"),
     "margin": ('<freejoint/><geom name="g" size=".1" margin=".01"/>',
                '<worldbody><geom type="plane" size="1 1 1"/></worldbody>', "<geom> 'g' of body 'b': margin"),
-    "servo": ('<joint name="j"/><geom size=".1"/>', '<actuator><position name="servo" joint="j" kp="5"/></actuator>',
-              "<actuator> 'servo': its force depends on position or speed"),
+    "limited servo": ('<joint name="j"/><geom size=".1"/>',
+                      '<actuator><position name="servo" joint="j" kp="5" forcerange="-1 1"/></actuator>',
+                      "<actuator> 'servo': its force depends on position or speed and is limited"),
+    "servo of a ball": ('<joint name="j" type="ball"/><geom size=".1"/>', '<actuator><position name="servo" joint="j" kp="5"/></actuator>',
+                        "<actuator> 'servo': its force acts on a free or ball joint"),
+    "muscle": ('<joint name="j" axis="0 1 0" range="-50 50"/><geom size=".1" pos=".1 0 0"/>',
+               '<actuator><muscle name="m" joint="j" lengthrange=".1 .2"/></actuator>', "<actuator> 'm': its force is not linear"),
     "fluid": ('<freejoint/><geom size=".1"/>', '<option density="1.2"/>', "<option> 'density': forces of a fluid"),
     "coupling": ('<joint name="j"/><geom size=".1"/>', '<equality><joint name="gear" joint1="j"/></equality>',
                  "<joint> 'gear': an equality of this kind, such as a coupling"),
@@ -337,7 +393,7 @@ UNNAMED = """<mujoco>
 </worldbody>
 <actuator>
 <motor joint="last"/>
-<position joint="last"/>  <!-- 32: its force depends -->
+<position joint="last" forcerange="-1 1"/>  <!-- 32: its force depends -->
 </actuator>
 <equality>
 <joint joint1="last"/>  <!-- 35: an equality of this kind -->
@@ -371,7 +427,7 @@ def test_the_command_imports_a_keyframe_and_finds_elements_that_share_a_name(tmp
     (tmp_path / "arm.xml").write_text("""<mujoco><worldbody><geom type="plane" size="1 1 1" pos="0 0 -9"/><body name="arm" pos="0 0 1">
       <joint name="swing" axis="0 1 0"/><geom type="capsule" size=".1" fromto="0 0 0 1 0 0"/></body></worldbody>
       <actuator>
-        <position name="swing" joint="swing" kp="3"/></actuator>
+        <position name="swing" joint="swing" kp="3" forcerange="-1 1"/></actuator>
       <keyframe><key name="down" qpos="1.5707963267948966"/></keyframe></mujoco>""")
     done = command("import", "arm.xml", "--skip", "--keyframe", "down", cwd=tmp_path)
     assert "skipped: arm.xml:4: <actuator> 'swing'" in done.stderr

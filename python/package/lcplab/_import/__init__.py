@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from lcplab._import import bodies, contacts, elements, joints, shapes, tendons
+from lcplab._import import actuators, bodies, contacts, elements, joints, shapes, tendons
 from lcplab._import.model import Model
 from lcplab._import.refused import Log, Refusal
 from lcplab._lcplab import InputError
@@ -50,10 +50,10 @@ def scene(model: Any, data: Any = None) -> Imported:
         })
     constraints = [found for root in read.moving() for found in joints.of_group(read, root, log)]
     constraints += elements.equalities(read, log) + tendons.constraints(read, log)
+    constraints += actuators.constraints(read, log)
     joined = {frozenset(each["bodies"]) for each in constraints if len(each["bodies"]) == 2}
     usual, pairs = contacts.friction(read, owners, joined, is_fixed, log)
-    for check in (elements.check_actuators, elements.check_options):
-        check(read, log)
+    elements.check_options(read, log)
     contacts.check_geoms(read, owners, log)
     described: dict[str, Any] = {
         "title": model.names.split(b"\0")[0].decode() or "imported model",

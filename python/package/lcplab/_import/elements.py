@@ -1,4 +1,4 @@
-"""Elements of a model besides bodies and joints: equalities, actuators, options and applied forces."""
+"""Elements of a model besides bodies and joints: equalities, options and applied forces."""
 
 from __future__ import annotations
 
@@ -69,43 +69,6 @@ def _turned(model: Model, number: int, one: int, other: int) -> float:
     mujoco.mju_negQuat(inverse, data.xquat[other])
     mujoco.mju_mulQuat(error, inverse, wanted)
     return float(np.linalg.norm(error[1:]))
-
-
-def check_actuators(model: Model, log: Log) -> None:
-    """Refuse an actuator that acts at the imported control, or without one; those without force are noted."""
-    own, data = model.model, model.data
-    idle = []
-    for number in range(own.nu):
-        name = model.name("actuator", number)
-        reasons = _properties_of_actuator(model, number)
-        if not is_disabled(own, "ACTUATION"):
-            is_feedback = int(own.actuator_biastype[number]) != 0 or int(own.actuator_gaintype[number]) != 0
-            if is_feedback:
-                reasons.append("its force depends on position or speed, which has no counterpart")
-            elif data.actuator_force[number] != 0:
-                reasons.append(f"its force {data.actuator_force[number]:g} at this control has no counterpart")
-            elif own.actuator_dyntype[number] != 0 and np.any(data.act_dot[own.actuator_actadr[number]]):
-                reasons.append("its activation changes, which has no counterpart")
-        for reason in reasons:
-            log.refuse("actuator", name, reason, place=("actuator", number))
-        if not reasons:
-            idle.append(repr(name))
-    if idle:
-        log.note(f"actuators that exert no force at this control are left out: {', '.join(idle)}")
-
-
-def _properties_of_actuator(model: Model, number: int) -> list[str]:
-    """Why an actuator acts on a joint even without control: MuJoCo adds its rotor and its damping to the joint's."""
-    reasons = []
-    for field, reason in (
-        ("armature", "a scene has no inertia of rotors"),
-        ("damping", "a damper of an actuator has no counterpart; give it to the joint, times gear²"),
-        ("dampingpoly", "damping with terms of higher order has no counterpart"),
-    ):
-        values = getattr(model.model, f"actuator_{field}", None)
-        if values is not None and np.any(values[number]):
-            reasons.append(f"{field} = {' '.join(f'{value:g}' for value in np.ravel(values[number]))}: {reason}")
-    return reasons
 
 
 def check_options(model: Model, log: Log) -> None:

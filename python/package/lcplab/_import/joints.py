@@ -16,6 +16,8 @@ from lcplab._import.refused import Log
 FREE, BALL, SLIDE, HINGE = range(4)
 #: Axes, points and positions that differ by less than this (relative, m or rad) are the same.
 SAME = 1e-9
+#: A speed (m/s or rad/s) that no joint reaches: a motor that aims at it exerts its whole effort.
+OUT_OF_REACH = 1e4
 #: The arm (m) of a spring along a slide, added to the length of its range.
 ARM = 10.0
 
@@ -214,24 +216,62 @@ def _passive(
         if isinstance(spring, str):
             refuse(spring)
         else:
-            found.append(spring)
+            found += spring
     return found
+
+
+def driven(model: Model, number: int, force: float, stiffness: float, damping: float) -> list[Constraint] | str:
+    """The constraints of a force along a joint, ``force - stiffness * (q - q0) - damping * q'``, or why there are none."""
+    root = model.root(int(model.model.jnt_bodyid[number]))
+    first, count = int(model.model.body_jntadr[root]), int(model.model.body_jntnum[root])
+    joints = [_joint(model, k) for k in range(first, first + count)]
+    joint, bodies = joints[number - first], model.bodies_of(model.parent(root), root)
+    if joint.kind not in (SLIDE, HINGE) or (joint.kind == HINGE and sum(each.kind == HINGE for each in joints) > 1):
+        return "its force acts on a free or ball joint or on one of several hinges of a body, which has no counterpart"
+    if isinstance(_kinematics(joints, bodies), str):
+        return "its joint has no counterpart"
+    if joint.kind == SLIDE and len(joints) > 1 and (stiffness or damping):
+        return "its force depends on the position or speed of a slide of a body with other joints, which has no counterpart"
+    found = [_constant(joint, bodies, force)] if force else []
+    if joint.kind == HINGE and (stiffness or damping):
+        law = {"stiffness": stiffness, "damping": damping}
+        found.append({"kind": "spring_rotation", "bodies": bodies, "axis": joint.axis.tolist(), **law})
+    elif stiffness or damping:
+        found.append(_along_slide(model, joint, bodies, 0.0, stiffness, damping))
+    return found
+
+
+def _constant(joint: Joint, bodies: list[str], force: float) -> Constraint:
+    """A constant force or torque along a joint."""
+    word, place = ("translation", {"point": joint.point.tolist()}) if joint.kind == SLIDE else ("rotation", {})
+    speed = float(np.copysign(OUT_OF_REACH, force))
+    axis = {"bodies": bodies, "axis": joint.axis.tolist()}
+    return {"kind": f"motor_{word}", **axis, **place, "speed": speed, "effort": abs(float(force))}
 
 
 def _spring(
     model: Model, joint: Joint, joints: list[Joint], bodies: list[str], stiffness: float, damping: float
-) -> Constraint | str:
+) -> list[Constraint] | str:
     """A spring and damper, or the reason why a scene has none."""
     own = model.model
     stretch = joint.position - float(own.qpos_spring[own.jnt_qposadr[joint.number]])
-    law = {"bodies": bodies, "stiffness": stiffness, "damping": damping}
     if joint.kind == HINGE:
-        if stiffness and abs(stretch) > SAME:
-            return f"stiffness: the spring is {stretch:g} rad from its rest angle; a scene's torsion springs start at rest"
-        return {"kind": "spring_rotation", "axis": joint.axis.tolist(), **law}
+        law = {"bodies": bodies, "stiffness": stiffness, "damping": damping}
+        spring: Constraint = {"kind": "spring_rotation", "axis": joint.axis.tolist(), **law}
+        # A torsion spring of a scene starts at rest.
+        wound = -stiffness * stretch if abs(stretch) > SAME else 0.0
+        return [spring, _constant(joint, bodies, wound)] if wound else [spring]
     if len(joints) > 1:
         return "stiffness and damping of a slide with other joints of the same body have no counterpart"
+    return [_along_slide(model, joint, bodies, stretch if stiffness else 0.0, stiffness, damping)]
+
+
+def _along_slide(
+    model: Model, joint: Joint, bodies: list[str], stretch: float, stiffness: float, damping: float
+) -> Constraint:
+    """A spring between two points on the axis of a slide."""
     # The distance of two points on the axis changes as the slide does, as long as they are on the same side.
-    arm = ARM + abs(stretch) + float(np.ptp(own.jnt_range[joint.number]))
+    arm = ARM + abs(stretch) + float(np.ptp(model.model.jnt_range[joint.number]))
     points = [(joint.point - arm * joint.axis).tolist(), joint.point.tolist()]
-    return {"kind": "spring", "points": points, "length": arm - stretch if stiffness else arm, **law}
+    law = {"bodies": bodies, "stiffness": stiffness, "damping": damping}
+    return {"kind": "spring", "points": points, "length": arm - stretch, **law}
