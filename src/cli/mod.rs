@@ -67,6 +67,7 @@ Exit codes:
   2    invalid input or usage, or a file that cannot be read or written
   130  stopped by Ctrl-C
 
+The Python package adds the command lcplab import, which writes an MJCF or URDF file as a scene.
 A long command that is stopped by Ctrl-C or SIGTERM writes what it has computed. lcplab COMMAND --help shows examples.")]
 struct Cli {
     #[command(subcommand)]

@@ -70,6 +70,8 @@ fn the_command_that_only_the_python_package_has_names_that_package() {
     let message = "error: import is a command of the Python package: run pip install \"./python[mujoco]\" in the \
                    repository of lcplab, then python -m lcplab import FILE\n";
     assert_eq!(err(&output), message);
+    let overview = out(&run(&["--help"]));
+    assert!(overview.contains("The Python package adds the command lcplab import"), "{overview}");
 }
 
 #[test]
