@@ -5,7 +5,7 @@ that is broken there.
 """
 
 import numpy as np
-from checking import number, numbers, parts, require, show, truth_value, whole
+from checking import Wrong, number, numbers, parts, require, show, truth_value, whole
 
 G = 9.81  # m/s²
 INFINITY = np.inf
@@ -327,7 +327,13 @@ def swept_column(n, sweeps):
 
 def e05_1_extrapolate(answer):
     def run(sweeps):
-        return numbers(answer([sweep.copy() for sweep in sweeps]), sweeps[0].shape, "x, one impulse for each row")
+        found = answer([sweep.copy() for sweep in sweeps])
+        try:
+            return numbers(found, sweeps[0].shape, "x, one impulse for each row")
+        except Wrong as wrong:
+            still = np.flatnonzero(sweeps[0] == sweeps[2])
+            why = f"; x[{still[0]}] has not changed in these sweeps" if len(still) else ""
+            raise Wrong(f"sweeps {show(sweeps)}: {wrong}{why}") from None
 
     for end, error, rho in [
         ([4, 3, 1], [-1, -1.5, -0.5], 0.75),
@@ -592,7 +598,8 @@ def e10_2_bias(answer):
         else:
             left = beyond(after) / beyond(c)
             right = abs(left - (1 - beta)) < 1e-9
-            require(right, f"{at}: after the step the part {show(left)} of the overlap beyond the slop is left")
+            part = f"the part {show(left)} of the overlap beyond the slop is left, not 1 − β = {show(1 - beta)}"
+            require(right, f"{at}: after the step {part}")
 
 
 def e10_3_spring(answer):

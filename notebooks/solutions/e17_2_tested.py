@@ -3,7 +3,7 @@
 c is a constraint of one point mass at p (m), and j is a candidate for its row: ċ = j v. Find the
 first entry of j that is wrong, by moving the point a little. An entry counts as wrong if it is off by more than
 1e-5 times the length |j| of the row. The constraints may be bent, and c may be the difference of large numbers:
-choose your way of moving the point with care, as in the lesson.
+choose your way of moving the point with care: the lesson says how far for a quotient to both sides.
 """
 
 import numpy as np

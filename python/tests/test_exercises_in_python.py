@@ -218,6 +218,17 @@ def test_an_error_in_a_program_is_told_with_its_line():
     assert said.startswith(f"the program stopped with TypeError in line {line}: ")
 
 
+def test_a_message_names_the_row_that_has_not_changed_and_the_part_that_should_be_left():
+    def divides_by_no_change(sweeps):
+        with np.errstate(divide="ignore", invalid="ignore"):
+            rho = (sweeps[2] - sweeps[1]) / (sweeps[1] - sweeps[0])
+            return sweeps[2] + (sweeps[2] - sweeps[1]) * rho / (1 - rho)
+
+    assert judged("e05_1_extrapolate", divides_by_no_change).endswith("; x[1] has not changed in these sweeps")
+    removes_half = lambda c, dt, beta, slop: c / dt if c > 0 else beta / dt * min(c + slop, 0.0) / 2
+    assert judged("e10_2_bias", removes_half).endswith("overlap beyond the slop is left, not 1 − β = 0.8")
+
+
 def test_pytest_prints_the_sentence_and_no_source_of_a_check(tmp_path):
     for file in ["checks.py", "checking.py", "test_exercises.py"]:
         (tmp_path / file).write_text((NOTEBOOKS / "exercises" / file).read_text(encoding="utf-8"), encoding="utf-8")
