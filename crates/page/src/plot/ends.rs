@@ -19,6 +19,13 @@ const REACHES: f64 = 0.93;
 /// The largest fraction of a figure's width that the labels take.
 const MOST: f64 = 0.36;
 
+/// With more upright labels, those of a narrow picture cover the curves, and a [`Key`] shows all.
+///
+/// [`Key`]: super::key::Key
+const MOST_UPRIGHT: usize = 2;
+/// The least height of the panel that then has them above it, in px.
+const CROWDED: f64 = 230.0;
+
 /// A label, the end of its curve (px), and its color.
 struct End<'a> {
     name: &'a str,
@@ -29,20 +36,48 @@ struct End<'a> {
     shift: f64,
 }
 
+/// The names and labels of a panel's curves.
+fn labels(panel: &Panel) -> impl Iterator<Item = (&Series, &str)> {
+    let labels = panel.series.iter().filter_map(|series| Some((series, series.end.as_deref()?)));
+    labels.filter(|(_, label)| !label.is_empty())
+}
+
+/// Whether a curve reaches the right edge of the axis with these ends.
+fn reaches(figure: &Lines, series: &Series, x: (f64, f64)) -> bool {
+    let last = last(series).and_then(|point| figure.x.scale.position(point.0));
+    last.is_some_and(|last| last > x.0 + REACHES * (x.1 - x.0))
+}
+
 /// The names and labels of a panel's curves that reach the right edge of the axis with these ends.
-pub(super) fn reaching<'a>(
+fn reaching<'a>(
     figure: &Lines,
     panel: &'a Panel,
     x: (f64, f64),
 ) -> impl Iterator<Item = (&'a str, &'a str)> {
-    let scale = figure.x.scale;
-    let reaches = move |series: &&Series| {
-        let last = last(series).and_then(|point| scale.position(point.0));
-        last.is_some_and(|last| last > x.0 + REACHES * (x.1 - x.0))
-    };
-    let labels = panel.series.iter().filter(reaches);
-    let labels = labels.filter_map(|series| Some((series.name.as_str(), series.end.as_deref()?)));
-    labels.filter(|(_, label)| !label.is_empty())
+    let own = labels(panel).filter(move |(series, _)| reaches(figure, series, x));
+    own.map(|(series, label)| (series.name.as_str(), label))
+}
+
+/// Whether a picture of this width has no room for the upright labels.
+pub(super) fn is_crowded(figure: &Lines, x: (f64, f64), wide: f64) -> bool {
+    let upright = |panel| labels(panel).filter(|(series, _)| !reaches(figure, series, x)).count();
+    wide < style::WIDTH && figure.panels.iter().map(upright).any(|own| own > MOST_UPRIGHT)
+}
+
+/// The names and labels that a [`Key`] shows: all in a crowded picture, otherwise those of the
+/// curves that reach the right edge.
+///
+/// [`Key`]: super::key::Key
+pub(super) fn keyed<'a>(
+    figure: &Lines,
+    panel: &'a Panel,
+    x: (f64, f64),
+    wide: f64,
+) -> Vec<(&'a str, &'a str)> {
+    match is_crowded(figure, x, wide) {
+        true => labels(panel).map(|(series, label)| (series.name.as_str(), label)).collect(),
+        false => reaching(figure, panel, x).collect(),
+    }
 }
 
 /// The width (px) right of the frame that labels need; 0 if there are none, or if they do not fit
@@ -50,9 +85,10 @@ pub(super) fn reaching<'a>(
 ///
 /// [`Key`]: super::key::Key
 pub(super) fn room(figure: &Lines, x: (f64, f64), wide: f64) -> f64 {
-    let labels = figure.panels.iter().flat_map(|panel| reaching(figure, panel, x));
-    let widest = labels.map(|(_, label)| width(label, TEXT)).fold(0.0, f64::max);
-    if widest == 0.0 || wide < style::WIDTH && widest > MOST * wide {
+    let beside = figure.panels.iter().flat_map(|panel| reaching(figure, panel, x));
+    let widest = beside.map(|(_, label)| width(label, TEXT)).fold(0.0, f64::max);
+    let is_narrow = wide < style::WIDTH && widest > MOST * wide;
+    if widest == 0.0 || is_narrow || is_crowded(figure, x, wide) {
         return 0.0;
     }
     widest.min(MOST * wide) + LEADER + 4.0
@@ -60,16 +96,22 @@ pub(super) fn room(figure: &Lines, x: (f64, f64), wide: f64) -> f64 {
 
 /// The height (px) that the labels of a panel need: those right of the frame below each other,
 /// those inside upright in one half.
-pub(super) fn height(figure: &Lines, panel: &Panel, x: (f64, f64), room: f64) -> f64 {
+pub(super) fn height(
+    figure: &Lines,
+    panel: &Panel,
+    x: (f64, f64),
+    (room, wide): (f64, f64),
+) -> f64 {
+    if is_crowded(figure, x, wide) {
+        return if labels(panel).next().is_some() { CROWDED } else { 0.0 };
+    }
     let lines = |label: &str| style::wrapped(label, TEXT, room - LEADER).len();
     let beside: usize = match room > 0.0 {
         true => reaching(figure, panel, x).map(|(_, label)| lines(label)).sum(),
         false => 0,
     };
-    let labels = || panel.series.iter().filter_map(|series| series.end.as_deref());
-    let all = labels().filter(|label| !label.is_empty()).count();
-    let longest = labels().map(|label| width(label, TEXT)).fold(0.0, f64::max);
-    let upright = all > reaching(figure, panel, x).count();
+    let longest = labels(panel).map(|(_, label)| width(label, TEXT)).fold(0.0, f64::max);
+    let upright = labels(panel).count() > reaching(figure, panel, x).count();
     f64::max(LINE * beside as f64, if upright { 2.4 * longest } else { 0.0 })
 }
 

@@ -29,12 +29,12 @@ struct Label<'a> {
 }
 
 impl<'a> Key<'a> {
-    /// The labels of the curves that reach the right edge of the axis with these ends.
+    /// The labels that stand above a panel of a picture of this width.
     pub fn new(panel: &'a Panel, figure: &Lines, x: (f64, f64), wide: f64) -> Self {
         let mut labels: Vec<Label<'a>> = Vec::new();
         let (mut across, mut down, mut height) = (style::EDGE, 0.0, 0.0);
         let right = wide - MARGIN;
-        for (name, text) in ends::reaching(figure, panel, x) {
+        for (name, text) in ends::keyed(figure, panel, x, wide) {
             let lines = style::wrapped(text, TEXT, right - style::EDGE - SAMPLE - GAP);
             let widest = lines.iter().map(|line| width(line, TEXT)).fold(0.0, f64::max);
             let length = SAMPLE + GAP + widest;

@@ -166,8 +166,8 @@ impl Figure for Lines {
             (false, false) => 200.0,
             (false, true) => 150.0,
         };
-        let heights: Vec<f64> =
-            self.panels.iter().map(|panel| ends::height(self, panel, x, room).max(usual)).collect();
+        let plot = |panel| ends::height(self, panel, x, (room, wide)).max(usual);
+        let heights: Vec<f64> = self.panels.iter().map(plot).collect();
         let key = |panel| match room > 0.0 {
             true => None,
             false => Some(Key::new(panel, self, x, wide)),
@@ -204,7 +204,9 @@ impl Figure for Lines {
             canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
             self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
             canvas.raw("</g>\n");
-            ends::draw(&mut canvas, &frame, (&self.x, panel), &legend.looks, wide - MARGIN);
+            if !ends::is_crowded(self, x, wide) {
+                ends::draw(&mut canvas, &frame, (&self.x, panel), &legend.looks, wide - MARGIN);
+            }
             if last {
                 let middle = (left + right) / 2.0;
                 let at = (middle, frame.bottom + 42.0);

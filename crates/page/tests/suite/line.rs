@@ -188,3 +188,23 @@ fn a_curve_that_ends_inside_the_plot_has_an_upright_label() {
     let svg = figure(Scale::Linear, Scale::Linear, vec![early, late]).svg();
     assert_eq!(svg.matches("rotate(-90").count(), 1);
 }
+
+#[test]
+fn more_than_two_upright_labels_stand_above_the_panel_of_a_narrow_picture() {
+    let early =
+        |name: &str, end| Series::measured(name, vec![(0.0, 1.0), (end, 0.0)]).labeled(name);
+    let late = Series::measured("jacobi", vec![(0.0, 1.0), (9.0, 0.0)]).labeled("jacobi");
+    let three = vec![early("pgs", 1.0), early("sor", 1.1), early("lemke", 1.2), late];
+    let two = [&three[..2], &three[3..]].concat();
+    for (series, upright) in [(two, [2, 2]), (three, [3, 0])] {
+        let names: Vec<String> = series.iter().map(|own| own.name.clone()).collect();
+        let figure = figure(Scale::Linear, Scale::Linear, series);
+        let drawn = [figure.svg(), figure.narrow().unwrap()];
+        for (svg, upright) in drawn.iter().zip(upright) {
+            assert_eq!(svg.matches("rotate(-90").count(), upright);
+            for name in &names {
+                assert_eq!(svg.matches(&format!(">{name}</text>")).count(), 1, "{name}");
+            }
+        }
+    }
+}
