@@ -74,16 +74,38 @@ fn title(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series])
     growths.sort_by(|a, b| a.0.total_cmp(&b.0));
     match &growths[..] {
         [(least, _, slowest), .., (most, (from, to), fastest)] if *most >= 1.0 => format!(
-            "{}: from {} {} to {}, {what} grow by a factor of {} ({fastest}) to {} ({slowest})",
+            "{}: {} {} instead of {} multiplies {what} by {} ({fastest}) to {} ({slowest})",
             grid.title,
             curves.across,
-            readable(*from, 3),
             readable(*to, 3),
+            readable(*from, 3),
             readable(*most, 2),
             readable(*least, 2)
         ),
-        _ => format!("{}: {what} against {}", grid.title, curves.across),
+        _ => largest(grid, curves, measure, series)
+            .unwrap_or_else(|| format!("{}: {what} against {}", grid.title, curves.across)),
     }
+}
+
+/// The finding where growth has no factor, as of values of both signs: the largest value.
+fn largest(
+    grid: &Grid,
+    curves: &Curves<'_>,
+    measure: &Measure,
+    series: &[Series],
+) -> Option<String> {
+    let values = series.iter().flat_map(|own| own.points.iter().map(move |point| (point, own)));
+    let finite = values.filter(|((_, y), _)| y.is_finite());
+    let ((x, y), own) = finite.max_by(|((_, a), _), ((_, b), _)| a.abs().total_cmp(&b.abs()))?;
+    Some(format!(
+        "{}: the largest {} is {} ({}, {} {})",
+        grid.title,
+        measure.name.replace('_', " "),
+        format!("{} {}", readable(*y, 2), measure.unit).trim(),
+        own.name,
+        curves.across,
+        readable(*x, 3)
+    ))
 }
 
 /// Several curves as one series, with a gap after each; `None` if there are no points.

@@ -63,16 +63,16 @@ pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
             exponents.map(|own| own.map_or(Cell::text("–"), |own| Cell::number(own, 2)));
         [Cell::text(&curve.name)].into_iter().chain(numbers).collect::<Vec<_>>()
     };
-    let heads = measures.iter().map(|measure| {
-        let law = format!("exponent p in {} ∝ ({})^p", words(measure), curves.across);
-        Column::numbers(law, "")
-    });
+    let heads = measures
+        .iter()
+        .map(|measure| Column::numbers(format!("exponent of {}", words(measure)), ""));
     Some(Table {
         title: format!("Growth with {}", curves.across),
         how_to_read: format!(
-            "Exponents from the last two values of {}: 1 means that doubling it doubles the quantity, 2 that \
+            "From the two {} values of {}: an exponent of 1 means that doubling it doubles the quantity, 2 that \
              it quadruples. If a count is below about ten, its exponent has no meaning, because a difference of one \
              iteration dominates it.",
+            if curves.is_refined() { "smallest" } else { "largest" },
             curves.across
         ),
         columns: [Column::words("curve")].into_iter().chain(heads).collect(),

@@ -121,11 +121,11 @@ fn choice(choices: &[&Progress]) -> Table {
             pgs(progress).filter(|pgs| pgs.outcome.is_solved()).and_then(|pgs| pgs.marks.last());
         vec![
             Cell::text(&progress.problem),
-            Cell::count(progress.rows),
             solved.first().map_or(Cell::text("none"), |first| Cell::text(&first.solver)),
             solved.first().map_or(Cell::text("–"), |first| cost(first)),
             solved.get(1).map_or(Cell::text("–"), |next| Cell::text(&next.solver)),
             solved.get(1).map_or(Cell::text("–"), |next| cost(next)),
+            Cell::count(progress.rows),
             sweeps.map_or(Cell::text("–"), |end| Cell::count(end.iteration)),
             left(progress).map_or(Cell::text("–"), Cell::text),
             Cell::text(if failed.is_empty() { "none".into() } else { failed.join(", ") }),
@@ -137,7 +137,7 @@ fn choice(choices: &[&Progress]) -> Table {
          typical budget is 10. *next*: the second cheapest solver. *unsupported*: the part of the total weight that ten sweeps of *pgs* leave \
          unsupported. *solvers that fail*: those that do not reach the tolerance within the maximum number of \
          iterations. A stack is a hard case for sweeps and has redundant contacts.",
-        "stack | #rows | cheapest | #cost | next | #cost | #sweeps of pgs | #unsupported after ten sweeps | \
+        "stack | cheapest | #cost | next | #cost | #rows | #sweeps of pgs | #unsupported after ten sweeps | \
          solvers that fail",
         choices.iter().map(row).collect(),
     )

@@ -132,25 +132,23 @@ fn label(curve: &Curve) -> String {
 fn title(study: &Rates) -> String {
     let per_digit = |curve: &Curve| Some(-1.0 / curve.measured_rate?.log10());
     let needs = |curve: &Curve| {
-        let sweeps = readable(per_digit(curve)?, 2);
-        match (curve.predicted_rate, curve.agrees()) {
+        let limit = match (curve.predicted_rate, curve.agrees()) {
             (Some(rate), Some(false)) => {
-                Some(format!("{sweeps} (in the limit {})", readable(-1.0 / rate.log10(), 2)))
+                format!(" ({} in the limit)", readable(-1.0 / rate.log10(), 2))
             }
-            _ => Some(sweeps),
-        }
+            _ => String::new(),
+        };
+        Some((readable(per_digit(curve)?, 2), limit))
     };
     let pgs = study.curves.iter().find(|curve| curve.omega == 1.0).and_then(needs);
     let measured = study.curves.iter().filter(|curve| per_digit(curve).is_some());
     let by_rate = |a: &&Curve, b: &&Curve| a.measured_rate.partial_cmp(&b.measured_rate);
     let best = measured.min_by(|a, b| by_rate(a, b).unwrap_or(Ordering::Equal));
     match (pgs, best.and_then(|best| Some((best.omega, needs(best)?)))) {
-        (Some(pgs), Some((omega, best))) => {
-            format!(
-                "{}: sweeps per decimal digit: {pgs} with pgs, {best} with SOR (ω = {omega})",
-                study.title
-            )
-        }
+        (Some((pgs, limit)), Some((omega, (best, best_limit)))) => format!(
+            "{}: a decimal digit takes {pgs} sweeps of pgs{limit}, {best} of SOR with ω = {omega}{best_limit}",
+            study.title
+        ),
         _ => study.title.clone(),
     }
 }

@@ -182,3 +182,18 @@ fn the_page_has_a_curve_for_each_value_beside_the_axis_across() {
     }
     assert_eq!(curves.lines().count(), 1 + 4);
 }
+
+#[test]
+fn exponents_are_those_of_the_two_last_points_and_the_title_states_the_ends() {
+    for (steps, ends) in [("0.04, 0.02, 0.01", "smallest"), ("0.01, 0.02, 0.04", "largest")] {
+        let text = format!(
+            "scene = 'pendulum'\nmeasure = ['drift']\n[axes]\nsteps = [2]\n\
+             step.scheme = ['velocity', 'acceleration']\nstep.dt = [{steps}]"
+        );
+        let (grid, path) = (grid(&text), tempfile::tempdir().unwrap());
+        run_all(&grid, path.path());
+        let (_, [_, _, page]) = collected(&grid, &Folder::new(path.path(), &grid).unwrap());
+        assert!(page.contains(&format!("From the two {ends} values of ")), "{ends}");
+        assert!(page.contains(" 0.04 instead of 0.01 multiplies drift by "), "{ends}");
+    }
+}
