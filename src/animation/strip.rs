@@ -145,8 +145,7 @@ impl Strip {
         let name = |(body, state): (&Body, &State)| {
             let (x, y) = lens.place(&state.pose.p);
             format!(
-                "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{TEXT}\" fill=\"#ffffff\" \
-                 stroke=\"{}\" stroke-width=\"2.5\" paint-order=\"stroke\">{}</text>\n",
+                "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{TEXT}\" fill=\"{}\">{}</text>\n",
                 y + top + 5.0,
                 hex((INK.0, INK.1, INK.2)),
                 escape(&body.name)

@@ -175,7 +175,9 @@ fn page_of(question: &Question, proof: &Proof, missing: &[(Kind, String)], text:
     Page {
         title: format!("A proof about {name}"),
         lead: format!(
-            "The strongest statement that lcplab proves about a complementarity problem of {rows} rows."
+            "**Proved: {}.** This is the strongest statement that lcplab proves about this complementarity \
+             problem of {rows} rows.",
+            proof.sentence()
         ),
         sections: vec![Section {
             id: "proof".into(),

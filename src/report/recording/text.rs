@@ -89,6 +89,11 @@ impl Record {
         remarks
     }
 
+    /// The number of answers that the judge accepted, and of all problems.
+    pub(crate) fn verdicts(&self) -> [usize; 2] {
+        [self.tally.accepted, self.tally.solves]
+    }
+
     fn problems_in_words(&self) -> String {
         match &self.scene.solver {
             solver if solver.fixed_sweeps && self.tally.solves == 0 => {

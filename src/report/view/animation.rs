@@ -5,9 +5,9 @@ use nalgebra::Vector3;
 use super::{Outcome, ReportPage, View};
 use crate::animation::Animation;
 use crate::body::{Body, State};
-use crate::number::readable;
+use crate::number::{count, counted, readable};
 use crate::page::DrawnAnimation;
-use crate::report::page::{Block, Cell, Page, Player, Table, markup};
+use crate::report::page::{Block, Cell, Page, Player, Table, Tile, markup};
 use crate::report::recording::Record;
 use crate::report::study::animation::{AnimationData, Plan};
 
@@ -61,6 +61,7 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
         ..Page::default()
     };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
+    document.page.opening.push(Block::Tiles(tiles(record)));
     document.animation(&animation, "The simulated motion over time.");
     if let Some(Block::Player(player)) =
         document.page.sections.iter_mut().flat_map(|section| &mut section.blocks).next()
@@ -75,6 +76,29 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     document.open("end", "The bodies at the end");
     document.add(Block::Table(at_the_end(record)));
     document.page
+}
+
+/// Whether to trust the run: the judge's verdicts, and what needs attention.
+fn tiles(record: &Record) -> Vec<Tile> {
+    let tile = |value: String, label: &str, good| Tile {
+        value,
+        label: label.into(),
+        section: "totals".into(),
+        good,
+    };
+    let [accepted, solves] = record.verdicts();
+    let answers = tile(
+        format!("{} of {}", count(accepted), count(solves)),
+        "answers accepted by the judge",
+        accepted == solves,
+    );
+    let warnings = record.remarks().iter().filter(|(kind, _)| *kind != "note").count();
+    let attention = match warnings {
+        0 => tile("no warnings".into(), "about the motion", true),
+        _ => tile(counted(warnings, "warning"), "about the motion, listed with the totals", false),
+    };
+    let answers = (solves > 0).then_some(answers);
+    answers.into_iter().chain([attention]).collect()
 }
 
 /// Where the bodies are at the end.

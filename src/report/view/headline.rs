@@ -35,20 +35,20 @@ pub(super) struct Top {
 }
 
 impl Top {
-    /// Adds a section's part; returns its answer if an earlier section has given one.
-    pub fn add(&mut self, headline: Headline, section: &str, good: bool) -> Option<String> {
-        self.figures.extend(headline.figure);
+    /// Adds a section's part; returns its answer and figure for the section itself if an earlier
+    /// section has given an answer.
+    pub fn add(&mut self, headline: Headline, section: &str, good: bool) -> Headline {
         self.tables.extend(headline.table);
         let tile =
             |[value, label]: [String; 2]| Tile { value, label, section: section.into(), good };
         self.tiles.extend(headline.result.map(tile));
-        match self.answer {
-            Some(_) => headline.answer,
-            None => {
-                self.answer = headline.answer;
-                None
-            }
+        if self.answer.is_some() {
+            let Headline { answer, figure, .. } = headline;
+            return Headline { answer, figure, ..Headline::default() };
         }
+        self.answer = headline.answer;
+        self.figures.extend(headline.figure);
+        Headline::default()
     }
 
     pub fn put(self, lead: &str, document: &mut ReportPage) {

@@ -133,8 +133,13 @@ pub fn document(results: &Results) -> Result<ReportPage> {
         if let Some(study) = &section.study {
             let failed = part.tasks.iter().any(|task| task.failure.is_some());
             let good = outcome.is_some_and(|outcome| outcome.good) && !failed;
-            if let Some(answer) = top.add(study.headline(&findings)?, &part.id, good) {
+            let Headline { answer, figure, .. } =
+                top.add(study.headline(&findings)?, &part.id, good);
+            if let Some(answer) = answer {
                 document.text(answer);
+            }
+            if let Some(figure) = figure {
+                document.boxed(figure);
             }
             study.show(&findings, &mut document)?;
             failures(&mut document, part);
@@ -301,8 +306,13 @@ impl ReportPage {
 
     /// Adds a figure.
     pub(crate) fn figure(&mut self, figure: impl Figure + 'static) {
-        self.add(Block::Figure(Picture::of(&figure, FILES)));
-        self.figures.push(Box::new(figure));
+        self.boxed(Box::new(figure));
+    }
+
+    /// Adds a figure of any kind.
+    fn boxed(&mut self, figure: Box<dyn Figure>) {
+        self.add(Block::Figure(Picture::of(&*figure, FILES)));
+        self.figures.push(figure);
     }
 
     /// Adds a table whose CSV file is named `id`.

@@ -2,7 +2,7 @@
 
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::readable;
-use crate::plot::{Axis, Lines, Series};
+use crate::plot::{self, Axis, Lines, Series};
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::friction::{Answer, Model};
 use crate::report::study::slider::Path;
@@ -67,9 +67,8 @@ impl View for Plan {
                  $t_1$ with 3 m/s. By Coulomb's law it stops on the straight line, after $v^2 / (2 \\mu g)$. \
                  In a model with corners, friction is the corner that points most against the slip. It turns \
                  the slip toward the direction halfway between two corners: toward $t_1$ for the box, toward \
-                 the diagonal for the polygon with four corners.",
+                 the diagonal for the polygon with four corners. The first figure shows these paths.",
             );
-            document.figure(path_figure(study));
             document.table("friction_paths", path_table(study));
         }
     }
@@ -78,14 +77,17 @@ impl View for Plan {
         let said = |study: &Finding| -> Vec<String> {
             SHOWN.iter().filter_map(|model| bias(study, *model)).collect()
         };
-        Headline::of(findings.first().map(|study| {
+        let answer = findings.first().map(|study| {
             format!(
-                "This section measures the error of each friction model for a block that is pushed in \
-                 directions {}° apart. Compared with Coulomb's law, friction has {}.",
+                "**Boxes and polygons make friction too strong or too weak, and turn it.** For a block that \
+                 is pushed in directions {}° apart, compared with Coulomb's law, friction has {}.",
                 readable(PUSH_ANGLE, 2),
                 said(study).join("; ")
             )
-        }))
+        });
+        let paths = findings.first().map(path_figure);
+        let figure = paths.map(|own| Box::new(own) as Box<dyn plot::Figure>);
+        Headline { figure, ..Headline::of(answer) }
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {

@@ -38,6 +38,8 @@ fn simulate_records_every_step_and_body() {
     assert_eq!((lines("ledger.csv"), lines("trajectory.csv")), (9, 9)); // heading, start, 7 steps
     let page = std::fs::read_to_string(folder.path().join("index.html")).unwrap();
     assert!(page.contains("\"steps\":[0,1,2,3,4,5,6,7]"), "all instants can be played");
+    let opening = page.split("<main").next().unwrap();
+    assert!(opening.contains("7 of 7") && opening.contains("no warnings"), "one LCP per step");
 }
 
 #[test]

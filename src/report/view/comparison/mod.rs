@@ -10,7 +10,9 @@ use crate::animation::Animation;
 use crate::number::{count, counted, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
-use crate::report::study::comparison::{Comparison, LeftOut, Plan, Run, Sample, Timing, best};
+use crate::report::study::comparison::{
+    Comparison, HELD, LeftOut, Plan, Run, Sample, Timing, best,
+};
 use crate::scene::Scheme;
 
 /// The position of the column for the reason of a failure, left of the measures so that a narrow
@@ -75,7 +77,7 @@ impl View for Plan {
         if given_up > 0 {
             label += &format!("; {} not solved", counted(given_up, "problem"));
         }
-        Headline { result: Some([value, label]), ..Headline::default() }
+        Headline { result: Some([value, label]), ..Headline::of(self.held(findings)) }
     }
 
     fn outcome(&self, findings: &[Comparison]) -> Outcome {
@@ -94,6 +96,49 @@ impl View for Plan {
 
     fn show_times(&self, times: &[Vec<Timing>], document: &mut ReportPage) {
         document.table("timings", timings(&times.concat()));
+    }
+}
+
+impl Plan {
+    /// Of more schemes than the two levels: which keep gaps and joints within tolerance in every
+    /// scene that starts so, and in which scenes the others do not.
+    fn held(&self, findings: &[Comparison]) -> Option<String> {
+        let starts_well = |own: &&Comparison| {
+            let first = own.runs.iter().find_map(|run| run.motion.first());
+            first.is_some_and(|start| start.drift.max(start.penetration) <= HELD * own.thinnest)
+        };
+        let scenes: Vec<_> = findings.iter().filter(starts_well).collect();
+        let is_missed = |scheme: Scheme, own: &&&Comparison| {
+            let mut of_scheme = own.runs.chunk_by(|a, b| a.scheme == b.scheme);
+            let run = of_scheme.find(|runs| runs[0].scheme == scheme.name()).and_then(best);
+            run.is_none_or(|run| run.failing_criterion(own.steps, own.thinnest).is_some())
+        };
+        let missed = |scheme: &Scheme| -> Vec<String> {
+            let missed = scenes.iter().filter(|own| is_missed(*scheme, own));
+            missed.map(|own| format!("`{}`", own.scene)).collect()
+        };
+        let (kept, others): (Vec<_>, Vec<_>) = self
+            .schemes
+            .iter()
+            .map(|scheme| (format!("*{}*", scheme.name()), missed(scheme)))
+            .partition(|(_, missed)| missed.is_empty());
+        let kept: Vec<_> = kept.into_iter().map(|(name, _)| name).collect();
+        let kept = if kept.is_empty() { "no scheme".into() } else { listed(&kept) };
+        let others: Vec<_> = others
+            .into_iter()
+            .map(|(name, missed)| format!("{name} in {}", listed(&missed)))
+            .collect();
+        let others = match others.is_empty() {
+            true => String::new(),
+            false => format!(" Errors are too large under {}.", others.join("; ")),
+        };
+        let is_about_schemes = self.schemes.len() > Scheme::LEVELS.len() && !scenes.is_empty();
+        is_about_schemes.then(|| {
+            format!(
+                "**Gaps and joints stay within tolerance under {kept}, in the {} scenes that start within it.**{others}",
+                scenes.len()
+            )
+        })
     }
 }
 

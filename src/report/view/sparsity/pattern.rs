@@ -65,7 +65,7 @@ fn figure(found: &Patterns, factors: &[&Factor]) -> SceneMatrix {
             gain(factors)
         ),
         caption: format!(
-            "Left: the scene. Right: A in step {}, {} rows; a block couples the rows of one pair of bodies with those of the same or another pair, and the \
+            "The scene, and its A in step {} ({} rows): a block couples the rows of one pair of bodies with those of the same or another pair, and the \
              paler an entry, the smaller |a|. Blocks without a common moving body are empty; the other {} are {} % \
              full, because in some entries the contributions of translation and rotation cancel. With so few bodies, \
              many blocks have entries: with ten times as many bodies, the share of entries would be about ten times \
