@@ -187,8 +187,9 @@ fn the_page_has_a_curve_for_each_value_beside_the_axis_across() {
 fn exponents_are_those_of_the_two_last_points_and_the_title_states_the_ends() {
     for (steps, ends) in [("0.04, 0.02, 0.01", "smallest"), ("0.01, 0.02, 0.04", "largest")] {
         let text = format!(
-            "scene = 'pendulum'\nmeasure = ['drift']\n[axes]\nsteps = [2]\n\
-             step.scheme = ['velocity', 'acceleration']\nstep.dt = [{steps}]"
+            "scene = 'pendulum'\nmeasure = ['drift']\n[axes]\n\
+             step.scheme = ['velocity', 'acceleration']\n\
+             [zip]\nstep.dt = [{steps}]\nsteps = [2, 2, 2]"
         );
         let (grid, path) = (grid(&text), tempfile::tempdir().unwrap());
         run_all(&grid, path.path());
