@@ -89,7 +89,7 @@ DEFECTS = (
     ),
     Defect(
         "box_in_plate",
-        "boxes deeper in each other than the thinner one's half thickness have no contact",
+        "boxes that overlap by more than half the thickness of the thinner one have no contact",
         "MuJoCo 3.12.0, #1800",
         "collision",
         ("mujoco==3.11.0",),
@@ -105,7 +105,7 @@ DEFECTS = (
     ),
     Defect(
         "lost_improvements",
-        "Newton's line search compares costs in single precision: small improvements are lost beside a large cost",
+        "Newton's line search compares costs in single precision: small improvements of a large cost are lost by rounding",
         "MuJoCo Warp 3.10.0, #1374",
         "solver",
         _warp("3.9.0"),
@@ -113,7 +113,7 @@ DEFECTS = (
     ),
     Defect(
         "welded_chain",
-        "redundant equations of a closed loop: the pivoting meets a singular pivot, and what follows it ends early",
+        "redundant equations of a closed loop: the pivoting method meets a singular pivot and ends too early",
         "DART 6.18.0, #2903",
         "solver",
         ("dartpy==6.17.1",),
@@ -121,7 +121,7 @@ DEFECTS = (
     ),
     Defect(
         "resting_cube",
-        "reported impulses of contacts are too large by a substep's part: (n + 1)/n with n substeps",
+        "reported impulses of contacts are too large by the factor (n + 1)/n with n substeps",
         "Rapier 0.35.2 (npm 0.21.0), #992",
         "write-back",
         ("npm:@dimforge/rapier3d-compat@0.20.0",),
@@ -129,7 +129,7 @@ DEFECTS = (
     ),
     Defect(
         "floating_gripper",
-        "the coupler of SAP reads positions at the indices of velocities, wrong behind a quaternion",
+        "the coupler of SAP reads positions at the indices of velocities, which is wrong after a joint with a quaternion",
         "Drake 1.20.0, #19902",
         "assembly",
         _drake("1.19.0"),
@@ -153,7 +153,7 @@ DEFECTS = (
     ),
     Defect(
         "bouncing_ball",
-        "the distance at which contacts are predicted takes speed from bounces",
+        "the prediction distance of contacts makes bounces too slow",
         "Rapier 0.35.0 (npm 0.20.0), #974",
         "assembly",
         ("npm:@dimforge/rapier3d-compat@0.19.3",),
