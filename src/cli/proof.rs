@@ -37,12 +37,12 @@ the output says whether there is one. \
 With --all, lcplab lists all solutions of a problem of up to 16 rows if each has one finite bound, or of up to 10 rows \
 if they have two. \
 docs/proofs.md says what each kind proves. Most proofs are about boxes: under a friction cone, no-solution, \
-solution and cone-solution can be proved, under a polygon only no-solution.
+solution and cone-solution can be proved, under a polygon only no-solution (although the verdict of the judge can be *proved*).
 
 Exit codes:
   0  a proof was written; with --all, there is a solution
   1  nothing can be proved, for example if the residual is not finite; with --all, there is no solution
-  2  invalid input or usage, or no proof under this friction model")]
+  2  invalid input or usage, or no proof was found under a friction cone or polygon")]
 pub struct Prove {
     /// Problem file; its extension determines the format; - reads JSON from standard input
     problem: PathBuf,

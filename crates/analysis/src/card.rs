@@ -81,7 +81,10 @@ impl Card {
             Some(class) => words += &format!("; A is {class}"),
         }
         if let (Some(rank), Some(condition)) = (self.rank, self.condition) {
-            words += &format!(", of rank {rank}, condition {}", readable(condition, 2));
+            words += &format!(
+                ", of rank {rank}, condition {} (scaled to unit diagonal)",
+                readable(condition, 2)
+            );
         }
         words
     }

@@ -186,7 +186,7 @@ impl<'a> Prover<'a> {
             }
             Kind::ConeSolution => Err(about_cones()),
             Kind::Motion if lcp.has_coupled_rows() => {
-                Err("rows are coupled: a coupled box is not the solution of a minimization".into())
+                Err("rows are coupled: the LCP is then not equivalent to a minimization; try the kind frozen-motion".into())
             }
             Kind::FrozenMotion if !lcp.has_coupled_rows() => Err("no rows are coupled".into()),
             Kind::Motion => motion().map(Claim::Motion),

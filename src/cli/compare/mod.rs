@@ -45,7 +45,7 @@ Examples:
   lcplab compare set --profile mine           # a set of `problems --export set`
 
 A scene: every solver simulates it at the velocity and at the acceleration level; --solver and --scheme \
-select some. A scheme that solves no LCP has one row, because no solver runs in it. lcplab measures the errors of contacts and joints, \
+select some. The table has only one line for a scheme that solves no LCP. lcplab measures the errors of contacts and joints, \
 energy, momentum, restitution and the direction of friction, and compares the two levels with each other and \
 with runs at half the time step. --out writes a page with the table, the plots and an animation of the solvers side \
 by side. If several solvers give the same motion, the animation shows one of them; --show selects others.
@@ -59,8 +59,8 @@ If a solver that you name cannot handle the problem or the friction model, its r
 
 Exit codes:
   0  the judge accepts every claim of a solver
-  1  the judge rejects a claim, a solver claims a solution where none exists, a failure that theory predicts \
-does not occur, or a solver that you name solves nothing
+  1  the judge rejects a claim, a solver claims a solution where none exists, a solver succeeds where \
+theory predicts a failure, or a solver that you name solves nothing
   2  invalid input or usage")]
 pub struct Compare {
     /// Scene file or name of a shipped scene; or problems: families that `problems` lists, problem

@@ -90,10 +90,10 @@ fn table(checks: &[CrossCheck]) -> Table {
          an answer is *within tolerance*, but not *proved*, if lcplab finds no exact solution near it, as can happen if rows are \
          redundant only up to rounding, or if there are more than 50 rows, for which no proof is attempted. *verdict on QP*: \
          the verdict on clarabel's answer to the box QP, without an attempt of a proof. *u − û at most*: a proved bound on the error of lcplab's motion, from duality and interval arithmetic. With friction, the bound holds for the problem \
-         whose friction limits are fixed at those of lcplab's x, not for the coupled problem. x, w and u as units: the unit \
-         of that quantity, N s, m/s and m/s (at acceleration level N, m/s² and m/s²; for rotations N m s, rad/s and so on).",
-        "scene | problem | #step | #rows | #free | #rank | x | #x − x_QP (x) | #w − w_QP (w) | \
-         #u − u_Gauss (u) | #u − û at most (u) | verdict | verdict on QP",
+         whose friction limits are fixed at those of lcplab's x, not for the coupled problem. The unit of each difference is that \
+         of the quantity: N s, m/s and m/s (at acceleration level N, m/s² and m/s²; for rotations N m s, rad/s and so on).",
+        "scene | problem | #step | #rows | #free | #rank | solution x | #x − x_QP | #w − w_QP | \
+         #u − u_Gauss | #u − û at most | verdict | verdict on QP",
         checks.iter().map(cells).collect(),
     )
 }

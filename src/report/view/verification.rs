@@ -205,7 +205,7 @@ fn formulas(rows: &[Row]) -> String {
 }
 
 /// The symbols of formulas that are not in the glossary, each with a case that has them.
-const SYMBOLS: [(&str, &str); 4] = [
+const SYMBOLS: [(&str, &str); 8] = [
     ("pendulum", "agm: the arithmetic-geometric mean."),
     ("iftomm-pendulum", "sn, cn: Jacobi's elliptic functions with the modulus $k$."),
     ("flip", "$K(k)$: the complete elliptic integral of the first kind with the modulus $k$."),
@@ -215,6 +215,19 @@ const SYMBOLS: [(&str, &str); 4] = [
          $\\delta$ the angle of a link around the post, $r = (1 + \\mu \\tan \\frac{\\delta}{2}) / (1 - \\mu \\tan \
          \\frac{\\delta}{2})$, $m$ the mass of each point, and $m K$ the pull $T_2$ per acceleration of the rope if $T_1 = 0$.",
     ),
+    (
+        "oblique-slip",
+        "$p$: the corner of the polygon that points most along the slip, as a unit vector.",
+    ),
+    (
+        "flat-bounce",
+        "$\\zeta$: the damping ratio of a penalty contact; $\\varphi$: the phase of its oscillation at which the force is 0.",
+    ),
+    (
+        "gap-below-a-step",
+        "$s$: the sine of the angle between the velocity of the first ball and the line of the centers.",
+    ),
+    ("bricard", "In Bricard's ring, $n$ is its degree of freedom, $J n = 0$."),
 ];
 
 /// Each tolerance once, with its reason and its cases.

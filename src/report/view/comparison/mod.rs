@@ -197,8 +197,8 @@ const MEASURES: &str = "In the tables of the scenes, *problems* counts the LCPs:
  impact.) *claims*: problems that the solver reports as solved. \
  *accepted*: answers that the judge accepts. *worst residual*: the largest scaled residual over all problems, \
  claimed or not; – if there was none. *energy change*: from the start to the end; *largest energy change*: from \
- the start to any instant; ✗ or red: the energy changed by more than 1 % of the largest kinetic energy beyond what the \
- scene explains, which is not counted as a failure. \
+ the start to any instant; ✗ or red: besides the work of friction, impacts and motors, the energy changed by more than 1 % of the largest \
+ kinetic energy; this does not fail the check. \
  *support*: the average upward component of the forces of contacts, joints and springs; \
  100 % of the weight at rest, 0 in free fall.";
 

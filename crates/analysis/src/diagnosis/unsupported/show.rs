@@ -171,7 +171,7 @@ impl UnsupportedLoad {
             vec![
                 remedy.what.clone(),
                 percent(remedy.missing),
-                remedy.predicted.map_or(String::new(), percent),
+                remedy.predicted.map_or("–".into(), percent),
                 match self.missing / remedy.missing {
                     large if large > LARGE => format!("> {LARGE}"),
                     factor => readable(factor, DIGITS),
@@ -183,7 +183,14 @@ impl UnsupportedLoad {
         let rows = self.remedies.iter().map(row).collect();
         section.table(
             "results of this solve with each remedy alone",
-            &["remedy", "error", "error in theory", "improvement", "iterations", "multiplications"],
+            &[
+                "remedy",
+                "error",
+                "error predicted by theory",
+                "improvement",
+                "iterations",
+                "multiplications",
+            ],
             rows,
         );
         (!self.remedies.is_empty()).then_some(section)
