@@ -23,6 +23,9 @@ const SCALES: f64 = 48.0;
 /// The minimum length of the scale bar as a fraction of a frame's width.
 const BAR: f64 = 0.3;
 
+/// The opacity of the earlier frames in a thumbnail.
+const FAINT: f64 = 0.3;
+
 /// Whether forces are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Arrows {
@@ -135,6 +138,35 @@ impl Strip {
             hex((INK.0, INK.1, INK.2)),
             self.frame(frame, &patches, &lens, None, true),
             self.names(frame, &lens, height - layout.height)
+        )
+    }
+
+    /// All frames over each other without a sheet, the earlier ones fainter, as an SVG document of
+    /// this width and height (px).
+    pub(crate) fn thumbnail(&self, (width, height): (f64, f64)) -> String {
+        let frames: Vec<_> = self.frames.iter().filter(|frame| frame.is_finite()).collect();
+        let all: Vec<Frame> = frames.iter().map(|frame| (*frame).clone()).collect();
+        let camera = Camera::new(self.view);
+        let landmarks = extent::landmarks(&self.scene, &all);
+        let patches = ground::patches(&self.scene, &landmarks);
+        let window = ground::window(&camera, landmarks, &patches);
+        let layout = Layout::single(&window, width, height);
+        let lens = layout.lens(camera, &window);
+        let last = frames.len().saturating_sub(1);
+        let picture = |(k, frame): (usize, &&Frame)| {
+            let opacity = if k == last { 1.0 } else { FAINT };
+            let patches = if k == 0 { &patches[..] } else { &[] };
+            let drawn = self.frame(frame, patches, &lens, None, false);
+            format!("<g opacity=\"{opacity}\">\n{drawn}</g>\n")
+        };
+        format!(
+            "<svg viewBox=\"0 0 {width} {height}\" xmlns=\"http://www.w3.org/2000/svg\" \
+             aria-hidden=\"true\"><g transform=\"translate(0 {:.1}) scale(0.1)\" fill=\"none\" \
+             stroke=\"{}\" stroke-width=\"6\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n\
+             {}</g></svg>",
+            0.5 * (height - layout.height),
+            hex((INK.0, INK.1, INK.2)),
+            frames.iter().enumerate().map(picture).collect::<String>()
         )
     }
 

@@ -14,6 +14,7 @@ use super::frame::{Frame, instants};
 use super::strip::Strip;
 use super::{Camera, View};
 use super::{arrow, extent};
+use crate::body::{Body, Mass};
 use crate::number::readable;
 use crate::page::{Chart, DrawnAnimation, Pane};
 use crate::plot::canvas::hex;
@@ -28,6 +29,8 @@ use stage::Stage;
 const SAMPLES: (usize, usize) = (151, 600);
 /// Number of instants in the strip shown where the animation cannot be played.
 const STILLS: usize = 5;
+/// The largest number of moving bodies whose motion is visible in one picture.
+const FEW: usize = 2;
 /// Names whose colors are used for variants of one name.
 const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact"];
 
@@ -265,6 +268,17 @@ impl Animation {
     /// ```
     pub fn data(&self) -> String {
         data::json(self).to_string()
+    }
+
+    /// A small picture of the first recording: of the motion if few bodies move, so that the
+    /// earlier instants hide nothing, and of the start otherwise.
+    pub(crate) fn thumbnail(&self, size: (f64, f64)) -> String {
+        let mut frames = self.recordings.first().map(Recording::stills).unwrap_or_default();
+        let is_moving = |body: &&Body| body.mass != Mass::Fixed;
+        if self.scene.bodies.iter().filter(is_moving).count() > FEW {
+            frames.truncate(1);
+        }
+        Strip { view: self.view, ..Strip::new(&self.scene, frames) }.thumbnail(size)
     }
 
     /// Some instants of a recording as a picture.

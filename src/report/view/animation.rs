@@ -34,8 +34,13 @@ impl ReportPage {
     }
 
     fn player(&mut self, animation: DrawnAnimation, caption: String) {
-        self.add(Block::Player(Box::new(Player { animation, caption, files: Vec::new() })));
+        self.add(animation_block(animation, caption));
     }
+}
+
+/// An animation with its caption.
+pub(super) fn animation_block(animation: DrawnAnimation, caption: String) -> Block {
+    Block::Player(Box::new(Player { animation, caption, files: Vec::new() }))
 }
 
 impl View for Plan {

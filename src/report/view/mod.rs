@@ -104,7 +104,7 @@ impl Outcome {
 }
 
 /// A text with a capital first letter.
-fn capital(words: &str) -> String {
+pub(in crate::report) fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
@@ -319,6 +319,13 @@ impl ReportPage {
     pub(crate) fn table(&mut self, id: &str, table: Table) {
         let block = self.filed(id, table);
         self.add(block);
+    }
+
+    /// Adds a table whose secondary columns are only in its CSV file.
+    fn table_without_secondary(&mut self, id: &str, table: Table) {
+        if let Block::Table(whole) = self.filed(id, table) {
+            self.add(Block::Table(whole.primary()));
+        }
     }
 
     /// The block of a table whose CSV file is named `id`.

@@ -1,17 +1,16 @@
 //! Scenes as animations.
 
+use super::animation::animation_block;
 use super::{Outcome, ReportPage, View};
 use crate::report::page::markup::literal;
+use crate::report::page::{Block, Thumbnail};
 use crate::report::study::scenes::{Finding, Plan};
 
 impl View for Plan {
     const TITLE: &'static str = "Animations of scenes";
 
     fn show(&self, findings: &[Finding], document: &mut ReportPage) {
-        for Finding { title, teaches, animation } in findings {
-            document.text(format!("**{}**: {}", literal(&animation.id), literal(title)));
-            document.recorded(animation, &literal(teaches.trim()));
-        }
+        document.add(Block::Thumbnails(findings.iter().map(thumbnail).collect()));
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
@@ -21,5 +20,28 @@ impl View for Plan {
         let whole = findings.iter().filter(comes_to_its_end).count();
         let says = format!("{whole} of {} scenes run to the end", findings.len());
         Outcome { good: whole == findings.len(), says }
+    }
+}
+
+/// The width and height of a thumbnail in px.
+const SIZE: (f64, f64) = (240.0, 170.0);
+
+/// A scene as a small picture that opens its animation.
+fn thumbnail(Finding { title, teaches, animation: data }: &Finding) -> Thumbnail {
+    let (svg, block) = match data.animation() {
+        Ok(animation) => {
+            let block = animation_block(animation.drawn(), literal(teaches.trim()));
+            (animation.thumbnail(SIZE), block)
+        }
+        Err(error) => {
+            (String::new(), Block::Text(format!("The animation cannot be shown: {error}.")))
+        }
+    };
+    Thumbnail {
+        id: format!("scene-{}", data.id),
+        name: data.id.clone(),
+        title: title.clone(),
+        svg,
+        block,
     }
 }

@@ -3,6 +3,7 @@
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::{significant, tabular};
 use crate::plot::{Axis, Bar, Bars};
+use crate::report::page::markup::literal;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::verification::{Criterion, ORDER_SLACK, Plan, Row, title};
 
@@ -18,13 +19,17 @@ impl View for Plan {
              time step within the error stated in the column *allowed*. All other numbers must stay *within a \
              bound*. The reasons for the allowed errors are below the table."
         ));
+        let failed: Vec<&Row> = rows.iter().filter(|row| !row.passes()).collect();
+        if !failed.is_empty() {
+            document.table("failed", self::failed(&failed));
+        }
         document.figure(dots(rows));
         document.table("by_case", by_case(rows));
         if rows.iter().any(is_approximate) {
             document.table("approximate", approximate(rows));
         }
         document.aside("The closed forms", formulas(rows));
-        document.table("closed_forms", table(rows));
+        document.table_without_secondary("closed_forms", table(rows));
         document.text(tolerances(rows));
     }
 
@@ -33,7 +38,8 @@ impl View for Plan {
         let passed = rows().filter(|row| row.passes()).count();
         let value = format!("{passed} of {}", rows().count());
         let label = "numbers agree with their closed forms".into();
-        Headline { result: Some([value, label]), ..Headline::default() }
+        let rows: Vec<&Row> = rows().collect();
+        Headline { result: Some([value, label]), ..Headline::of(answer(&rows)) }
     }
 
     fn outcome(&self, findings: &[Vec<Row>]) -> Outcome {
@@ -50,6 +56,65 @@ impl View for Plan {
         );
         Outcome { good: passed == all, says }
     }
+}
+
+/// The most failed numbers that the answer names; the table has all.
+const MOST_NAMED: usize = 3;
+
+/// Whether all numbers agree and, if not, which ones fail.
+fn answer(rows: &[&Row]) -> Option<String> {
+    let failed: Vec<&&Row> = rows.iter().filter(|row| !row.passes()).collect();
+    let all = rows.len();
+    Some(match failed.len() {
+        0 if all == 0 => return None,
+        0 => format!("**All {all} numbers agree with their closed forms.**"),
+        count => {
+            let named = failed.iter().take(MOST_NAMED).map(|row| {
+                let Row { case, method, quantity, .. } = row;
+                format!("*{}* ({}): {}", literal(title(case)), literal(method), literal(quantity))
+            });
+            let named: Vec<String> = named.collect();
+            let more = match count - named.len() {
+                0 => String::new(),
+                more => format!("; and {more} more"),
+            };
+            let verb = if count == 1 { "does" } else { "do" };
+            format!(
+                "**{count} of {all} numbers {verb} not agree with the closed form:** {}{more}.",
+                named.join("; ")
+            )
+        }
+    })
+}
+
+/// The numbers that fail, and by how much.
+fn failed(rows: &[&Row]) -> Table {
+    let cells = |row: &&Row| {
+        let allowed = match &row.criterion {
+            Criterion::Exact { tolerance, .. } => Cell::number(*tolerance, 2),
+            Criterion::Order(order) => Cell::text(format!("order {order}")),
+        };
+        let measured = match &row.criterion {
+            Criterion::Exact { .. } => Cell::number(largest_error(row), 2),
+            Criterion::Order(_) => {
+                Cell::text(format!("order {}", tabular(row.observed_order(), 3)))
+            }
+        };
+        vec![
+            Cell::text(title(&row.case)),
+            Cell::text(&row.method),
+            Cell::text(&row.quantity),
+            measured.marked(Mark::Bad),
+            allowed,
+        ]
+    };
+    Table::new(
+        "Numbers that do not agree with the closed form",
+        "*error*: the largest over all time steps, or the observed order. *allowed*: the largest allowed \
+         error, or the derived order.",
+        "case | method | quantity | #error | #allowed",
+        rows.iter().map(cells).collect(),
+    )
 }
 
 /// A number whose allowed errors are at most this large is exact up to rounding and the solver's

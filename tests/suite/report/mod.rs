@@ -13,6 +13,7 @@ mod looks;
 mod page;
 mod recording;
 pub mod reference;
+mod scenes;
 mod sliding;
 mod solved;
 mod solvers;

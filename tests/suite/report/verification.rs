@@ -1,7 +1,7 @@
 //! Every closed form at the fast size, and that the page can fail.
 
 use lcplab::report::study::verification::{Criterion, Plan, Row, Sample, Size, names, run};
-use lcplab::report::view;
+use lcplab::report::view::{self, ReportPage, View};
 
 use super::reference::STANDARD;
 
@@ -80,4 +80,37 @@ fn the_page_sets_every_formula_and_shows_every_row() {
         let mut between_quotes = row.quantity.split(['"', '\'']);
         assert!(between_quotes.all(|words| html.contains(words)), "{}", row.quantity);
     }
+}
+
+#[test]
+fn the_answer_says_that_all_numbers_agree_or_names_those_that_do_not() {
+    let plan: Plan = serde_json::from_str("{\"size\": \"fast\"}").unwrap();
+    let exact = || Criterion::Exact { tolerance: 1e-9, because: "rounding".into() };
+    let good = row(2.0, [2.0; 3], exact());
+    let wrong = Row { quantity: "height".into(), ..row(2.0, [2.0, 2.5, 2.0], exact()) };
+    let answer = |rows: &[&Row]| {
+        let rows: Vec<Row> = rows.iter().map(|row| (*row).clone()).collect();
+        plan.headline(&[rows]).answer.unwrap()
+    };
+    assert_eq!(answer(&[&good, &good]), "**All 2 numbers agree with their closed forms.**");
+    assert_eq!(
+        answer(&[&good, &wrong]),
+        "**1 of 2 numbers does not agree with the closed form:** *case* (velocity): height."
+    );
+    let page = ReportPage::of(&plan, &[vec![good, wrong]]);
+    let (_, failed) = page.tables.iter().find(|(id, _)| id == "failed").unwrap();
+    let texts: Vec<&str> = failed.rows[0].iter().map(|cell| cell.text.as_str()).collect();
+    assert_eq!(texts, ["case", "velocity", "height", "0.25", "10⁻⁹"]); // |2.5 - 2| / 2
+    assert_eq!(failed.rows.len(), 1);
+}
+
+#[test]
+fn formulas_are_in_the_list_and_the_csv_but_not_in_a_column_of_the_page() {
+    let plan: Plan = serde_json::from_str("{\"size\": \"fast\"}").unwrap();
+    let second = [1.0 + 0.16, 1.0 + 0.04, 1.0 + 0.01];
+    let page = ReportPage::of(&plan, &[vec![row(1.0, second, Criterion::Order(2.0))]]);
+    let (_, table) = page.tables.iter().find(|(id, _)| id == "closed_forms").unwrap();
+    assert!(table.csv().lines().next().unwrap().ends_with(",formula"));
+    let html = page.page.render().unwrap();
+    assert!(html.contains("The closed forms") && !html.contains(">formula</th>"));
 }

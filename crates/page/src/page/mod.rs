@@ -116,6 +116,8 @@ pub enum Block {
     Tiles(Vec<Tile>),
     /// An animation of a scene.
     Player(Box<Player>),
+    /// A grid of small pictures, each of which opens a block below itself.
+    Thumbnails(Vec<Thumbnail>),
     /// A table.
     Table(Table),
     /// Source code or program output.
@@ -172,6 +174,21 @@ pub struct Tile {
     pub section: String,
     /// Whether it is as it should be.
     pub good: bool,
+}
+
+/// A small picture with a title, which opens a block.
+#[derive(Debug, Clone)]
+pub struct Thumbnail {
+    /// The anchor, unique on the page: letters, digits, `-` and `_`.
+    pub id: String,
+    /// A short name.
+    pub name: String,
+    /// What the picture shows, in a few words.
+    pub title: String,
+    /// An SVG document, put on the page unchanged.
+    pub svg: String,
+    /// The block that it opens.
+    pub block: Block,
 }
 
 /// A live page embedded in another page.
@@ -427,7 +444,7 @@ impl Table {
 
     /// The table without its secondary columns, and without the sentences of "how to read" that
     /// begin with the name of one.
-    pub(crate) fn primary(&self) -> Table {
+    pub fn primary(&self) -> Table {
         let kept: Vec<usize> =
             (0..self.columns.len()).filter(|&c| !self.columns[c].secondary).collect();
         self.columns_only(&kept).explained_without(self, |c| self.columns[c].secondary)

@@ -6,7 +6,9 @@ use sha2::{Digest, Sha256};
 use super::code::code;
 use super::markup::Renderer;
 use super::player::{self, Player};
-use super::{Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table, Tile};
+use super::{
+    Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table, Thumbnail, Tile,
+};
 use crate::escape::html;
 use lcplab_lcp::disk;
 use lcplab_lcp::error::{Defects, Error, Result};
@@ -22,8 +24,10 @@ const TALL: usize = 40;
 /// A table with more rows than this may break across printed pages.
 const LONG_TABLE: usize = 20;
 
-/// A table with more columns than this is printed smaller.
+/// A table with more columns than this is set smaller,
 const WIDE: usize = 9;
+/// and one with more than this as small as is readable.
+const WIDEST: usize = 11;
 
 #[derive(Template)]
 #[template(path = "page.html")]
@@ -277,7 +281,24 @@ impl Writer {
             Block::Tiles(list) => tiles(list),
             Block::Player(player) => self.player(place, player),
             Block::Table(table) => self.table(place, table),
+            Block::Thumbnails(list) => self.thumbnails(place, list),
         }
+    }
+
+    fn thumbnails(&mut self, place: &str, list: &[Thumbnail]) -> String {
+        let one = |own: &Thumbnail| {
+            if !disk::is_name(&own.id) {
+                self.defects.add(place, format!("{:?} cannot be an anchor", own.id));
+            }
+            let block = self.block(place, &own.block);
+            let (id, name, title) = (html(&own.id), html(&own.name), html(&own.title));
+            format!(
+                "<details class=\"thumbnail\" id=\"{id}\"><summary>{}<b>{name}</b> <span>{title}</span>\
+                 </summary>\n{block}</details>\n",
+                own.svg
+            )
+        };
+        format!("<div class=\"thumbnails\">\n{}</div>\n", list.iter().map(one).collect::<String>())
     }
 
     fn figure(&mut self, place: &str, figure: &Picture) -> String {

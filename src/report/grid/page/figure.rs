@@ -12,6 +12,8 @@ const MOST_CURVES: usize = 12;
 const WIDE: f64 = 50.0;
 /// as do values whose logarithms are spaced this evenly.
 const EVEN: f64 = 1.1;
+/// Values of both signs are shown as magnitudes if the largest is this many times the median.
+const FLATTENED: f64 = 20.0;
 
 /// The figure of a measure; names of its files begin with `id`. `None` if it was not taken
 /// anywhere.
@@ -30,10 +32,21 @@ pub(super) fn figure(
     let all: Vec<(f64, f64)> = series.iter().flat_map(|own| own.points.iter().copied()).collect();
     let (x, y) = (Spread::of(all.iter().map(|(x, _)| *x)), Spread::of(all.iter().map(|(_, y)| *y)));
     y.most.is_finite().then_some(())?;
-    let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
+    let finding = finding(curves, measure, &series)
+        .unwrap_or_else(|| format!("{} against {}", words_of(measure), curves.across));
+    let mut words = vec![format!("{}: {}.", words_of(measure), measure.about)];
+    let is_flattened = grid.scale.is_none() && y.least < 0.0 && is_flattened(&all);
+    let (y, label) = match is_flattened {
+        true => {
+            words.push(magnitudes(&series));
+            let size = |(x, y): &mut (f64, f64)| (*x, *y) = (*x, y.abs());
+            series.iter_mut().for_each(|own| own.points.iter_mut().for_each(size));
+            (Spread::of(all.iter().map(|(_, y)| y.abs())), format!("|{}|", words_of(measure)))
+        }
+        false => (y, words_of(measure)),
+    };
+    let y_wide = is_flattened || grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
     let floor = if y_wide { y.smallest } else { y.least };
-    let title = title(grid, curves, measure, &series);
-    let mut words = vec![format!("{}: {}.", measure.name.replace('_', " "), measure.about)];
     let theory = shown.iter().map(|curve| curve.predicted(measure));
     if let Some(theory) = joined("theory", theory, Series::theory) {
         series.push(theory);
@@ -54,17 +67,18 @@ pub(super) fn figure(
     };
     Some(Lines::new(
         format!("{id}{}", measure.name),
-        title,
+        format!("{}: {finding}", grid.title),
         words.join(" "),
         axis(x.is_wide(), &curves.across, curves.unit()),
-        axis(y_wide, &measure.name.replace('_', " "), measure.unit),
+        axis(y_wide, &label, measure.unit),
         series,
     ))
 }
 
-/// The finding: by what factor the measure grows along the axis, at most and at least.
-fn title(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> String {
-    let what = measure.name.replace('_', " ");
+/// The finding: by what factor the measure grows along the axis, at most and at least; where growth
+/// has no factor, as of values of both signs, the largest value.
+fn finding(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
+    let what = words_of(measure);
     let growth = |own: &Series| {
         let mut finite = own.points.iter().filter(|(x, y)| x.is_finite() && *y > 0.0);
         let (first, last) = (finite.next()?, finite.next_back()?);
@@ -73,39 +87,62 @@ fn title(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series])
     let mut growths: Vec<_> = series.iter().filter_map(growth).collect();
     growths.sort_by(|a, b| a.0.total_cmp(&b.0));
     match &growths[..] {
-        [(least, _, slowest), .., (most, (from, to), fastest)] if *most >= 1.0 => format!(
-            "{}: {} {} instead of {} multiplies {what} by {} ({fastest}) to {} ({slowest})",
-            grid.title,
+        [(least, _, slowest), .., (most, (from, to), fastest)] if *most >= 1.0 => Some(format!(
+            "{} {} instead of {} multiplies {what} by {} ({fastest}) to {} ({slowest})",
             curves.across,
             readable(*to, 3),
             readable(*from, 3),
             readable(*most, 2),
             readable(*least, 2)
-        ),
-        _ => largest(grid, curves, measure, series)
-            .unwrap_or_else(|| format!("{}: {what} against {}", grid.title, curves.across)),
+        )),
+        _ => largest(curves, measure, series),
     }
 }
 
-/// The finding where growth has no factor, as of values of both signs: the largest value.
-fn largest(
-    grid: &Grid,
-    curves: &Curves<'_>,
-    measure: &Measure,
-    series: &[Series],
-) -> Option<String> {
+/// The largest value.
+fn largest(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
     let values = series.iter().flat_map(|own| own.points.iter().map(move |point| (point, own)));
     let finite = values.filter(|((_, y), _)| y.is_finite());
     let ((x, y), own) = finite.max_by(|((_, a), _), ((_, b), _)| a.abs().total_cmp(&b.abs()))?;
     Some(format!(
-        "{}: the largest {} is {} ({}, {} {})",
-        grid.title,
-        measure.name.replace('_', " "),
+        "the largest {} is {} ({}, {} {})",
+        words_of(measure),
         format!("{} {}", readable(*y, 2), measure.unit).trim(),
         own.name,
         curves.across,
         readable(*x, 3)
     ))
+}
+
+/// A measure's name in words.
+fn words_of(measure: &Measure) -> String {
+    measure.name.replace('_', " ")
+}
+
+/// Whether the largest magnitude is so far from the others that a linear axis shows only it.
+fn is_flattened(points: &[(f64, f64)]) -> bool {
+    let mut sizes: Vec<f64> =
+        points.iter().map(|(_, y)| y.abs()).filter(|size| size.is_finite()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let (middle, most) = (sizes.get(sizes.len() / 2), sizes.last());
+    middle.zip(most).is_some_and(|(middle, most)| *middle > 0.0 && most / middle >= FLATTENED)
+}
+
+/// Which values are positive, for a caption of magnitudes.
+fn magnitudes(series: &[Series]) -> String {
+    let positive = |own: &Series| {
+        let places = own.points.iter().filter(|(_, y)| *y > 0.0).map(|(x, _)| readable(*x, 3));
+        let places: Vec<String> = places.collect();
+        (!places.is_empty()).then(|| format!("{} at {}", own.name, places.join(", ")))
+    };
+    let positive: Vec<String> = series.iter().filter_map(positive).collect();
+    let except = match positive.is_empty() {
+        true => String::new(),
+        false => format!(", except {}", positive.join("; ")),
+    };
+    format!(
+        "The axis shows magnitudes, so that the largest does not hide the others: all values are negative{except}."
+    )
 }
 
 /// Several curves as one series, with a gap after each; `None` if there are no points.

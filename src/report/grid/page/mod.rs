@@ -8,10 +8,12 @@ mod tables;
 use self::curves::Curves;
 use super::collect::{Collection, Point};
 use super::file::{Grid, SUBJECT};
-use super::measure::SECONDS;
+use super::measure::{Finding, SECONDS};
 use super::plan::{Plan, Task, plain};
-use crate::report::page::{Block, Cell, Column, Origin, Page, Table};
-use crate::report::view::ReportPage;
+use crate::number::count;
+use crate::report::page::markup::literal;
+use crate::report::page::{Block, Cell, Column, Fold, Origin, Page, Table, Tile};
+use crate::report::view::{ReportPage, capital};
 
 /// The files of a collected grid.
 const WHOLE: [(&str, &str); 3] = [
@@ -19,6 +21,11 @@ const WHOLE: [(&str, &str); 3] = [
     ("results (JSON)", "results.json"),
     ("times (CSV)", "times.csv"),
 ];
+
+/// The id of the section.
+const RESULTS: &str = "results";
+/// The table of all points is collapsed if it has more rows.
+const MOST_OPEN: usize = 12;
 
 /// The page with its figures and tables.
 pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> ReportPage {
@@ -29,15 +36,55 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> ReportPage
         ..Page::default()
     };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
-    document.open("results", "What was measured");
+    document.open(RESULTS, "What was measured");
     show(grid, plan, &collection.points(), "", &mut document);
-    document.page.sections.iter_mut().for_each(|section| section.origin = Some(origin(grid)));
+    if let Some(figure) = document.figures.first() {
+        let title = figure.title();
+        let finding = title.strip_prefix(&format!("{}: ", grid.title)).unwrap_or(title);
+        document.page.lead =
+            format!("**{}.**\n\n{}", literal(&capital(finding)), document.page.lead);
+    }
+    document.page.opening.push(Block::Tiles(tiles(plan, collection)));
+    document.page.sections.iter_mut().for_each(|section| {
+        section.origin = Some(origin(grid));
+        if collection.done.len() > MOST_OPEN {
+            section.fold = Fold::After(section.blocks.len() - 1);
+        }
+    });
     if let Some(Block::Table(table)) =
         document.page.sections.iter_mut().flat_map(|s| &mut s.blocks).last()
     {
         table.files = WHOLE.map(|(name, file)| (name.into(), file.into())).to_vec();
     }
     document
+}
+
+/// What was measured, whether it agrees with theory, and whether a solver made a false claim.
+fn tiles(plan: &Plan, collection: &Collection) -> Vec<Tile> {
+    let tile = |part: usize, all: usize, label: &str| Tile {
+        value: format!("{} of {}", count(part), count(all)),
+        label: label.into(),
+        section: RESULTS.into(),
+        good: part == all,
+    };
+    let findings = collection.done.iter().filter_map(|(_, record)| record.finding.as_ref());
+    let claims: Vec<bool> = findings.flat_map(Finding::claims).collect();
+    let held = claims.iter().filter(|held| **held).count();
+    let theory = (!claims.is_empty())
+        .then(|| tile(held, claims.len(), "numbers agree with the closed form"));
+    let measured = collection.done.len() - collection.impossible();
+    let refuted = collection.refuted();
+    let judged = Tile {
+        value: count(refuted),
+        label: "false claims of solvers, according to the judge".into(),
+        section: RESULTS.into(),
+        good: refuted == 0,
+    };
+    [tile(measured, plan.tasks.len(), "points of the grid measured")]
+        .into_iter()
+        .chain(theory)
+        .chain([judged])
+        .collect()
 }
 
 /// Adds figures and tables of these points to the current section; the names of their files begin

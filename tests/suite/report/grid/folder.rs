@@ -198,3 +198,24 @@ fn exponents_are_those_of_the_two_last_points_and_the_title_states_the_ends() {
         assert!(page.contains(" 0.04 instead of 0.01 multiplies drift by "), "{ends}");
     }
 }
+
+#[test]
+fn the_first_screen_states_the_finding_and_a_long_table_of_points_is_collapsed() {
+    let text = |steps: &str| {
+        format!(
+            "title = 'Swing'\nscene = 'pendulum'\nmeasure = ['drift']\n[axes]\n\
+             step.scheme = ['velocity', 'acceleration']\nstep.dt = [0.02, 0.01]\nsteps = [{steps}]"
+        )
+    };
+    // 4 points, and 16.
+    for (steps, collapsed) in [("2", false), ("1, 2, 3, 4", true)] {
+        let (grid, path) = (grid(&text(steps)), tempfile::tempdir().unwrap());
+        run_all(&grid, path.path());
+        let (_, [_, _, page]) = collected(&grid, &Folder::new(path.path(), &grid).unwrap());
+        let top = page.split("<main").next().unwrap();
+        assert!(top.contains("0.02 instead of 0.01 multiplies drift by"), "{steps}");
+        assert!(top.contains("points of the grid measured"), "{steps}");
+        let (before, _) = page.split_once("Results at each point.").unwrap();
+        assert_eq!(before.contains("<details class=\"part\""), collapsed, "{steps}");
+    }
+}

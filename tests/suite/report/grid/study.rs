@@ -111,3 +111,22 @@ fn defects_of_a_grid_file_are_reported_with_their_lines() {
     let error = refused.unwrap().to_string();
     assert!(error.contains("stacks") && error.contains("line"), "{error}");
 }
+
+#[test]
+fn one_extreme_value_does_not_flatten_the_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "title = 'Chain'\nscene = 'chain'\nmeasure = 'energy_change'\n[set]\nsteps = 3\n\
+                [axes]\nstep.scheme = ['velocity', 'soft', 'xpbd']\nstep.dt = [0.005, 0.01, 0.02]\n";
+    let (_, report) = written(folder.path(), text);
+    let mut results = results(&report);
+    let mut drawn = |values: [f64; 9]| {
+        for (task, value) in results.sections[0].tasks.iter_mut().zip(values) {
+            task.finding.as_mut().unwrap()["finding"]["values"]["energy_change"] = value.into();
+        }
+        view::document(&results).unwrap().figures[0].svg()
+    };
+    let alike = drawn([-1.0, -2.0, -3.0, -1.0, -2.0, -3.0, -1.0, -2.0, 30.0]);
+    assert!(!alike.contains("|energy change|"), "30 is less than 20 times the median of 2");
+    let apart = drawn([-1.0, -2.0, -3.0, -1.0, -2.0, -3.0, -1.0, -2.0, 50.0]);
+    assert!(apart.contains("|energy change|"), "50 is more than 20 times the median");
+}

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use lcplab::plot::Figure;
+use lcplab::plot::{Axis, Figure, Lines, Series};
 
 use super::sample;
 
@@ -84,4 +84,19 @@ fn text_in_figures_stands_out_in_light_and_dark() {
         assert!(contrast(fill, white) >= AA, "{text}");
         assert!(contrast(turned(fill), dark) >= AA, "{text}");
     }
+}
+
+#[test]
+fn a_band_of_theory_is_as_visible_in_dark_as_in_light() {
+    let (light, dark) = (variables(LIGHT), variables(DARK));
+    let theory = Series::theory("theory, pgs", vec![(1.0, 1.0), (2.0, 3.0)]);
+    let (x, y) = (Axis::linear("x", ""), Axis::linear("y", ""));
+    let svg = Lines::new("band", "Band", "", x, y, vec![theory]).svg();
+    // The rule applies to the stroke of the figures.
+    let rule = LIGHT.split("{ stroke: var(--band); }").next().unwrap();
+    let stroke = rule.rsplit(".plot [").next().unwrap().trim().trim_end_matches(']');
+    assert!(svg.contains(stroke), "{stroke}");
+    let in_light = contrast(light["band"], light["paper"]);
+    let in_dark = contrast(turned(dark["band"]), dark["paper"]);
+    assert!(in_light >= 1.3 && in_dark >= in_light, "light {in_light:.2}, dark {in_dark:.2}");
 }
