@@ -71,7 +71,9 @@ fn answer(rows: &[&Row]) -> Option<String> {
         count => {
             let named = failed.iter().take(MOST_NAMED).map(|row| {
                 let Row { case, method, quantity, .. } = row;
-                format!("*{}* ({}): {}", literal(title(case)), literal(method), literal(quantity))
+                let [case, method, quantity] = [title(case), method, quantity].map(literal);
+                let [error, allowed] = error_and_allowed(row).map(|cell| cell.text);
+                format!("*{case}* ({method}), {quantity}: {error} instead of at most {allowed}")
             });
             let named: Vec<String> = named.collect();
             let more = match count - named.len() {
@@ -87,19 +89,27 @@ fn answer(rows: &[&Row]) -> Option<String> {
     })
 }
 
+/// The largest error over all time steps and the largest allowed one; for a derived order, how far
+/// the observed order is from it and may be.
+fn error_and_allowed(row: &Row) -> [Cell; 2] {
+    let [error, allowed] = match &row.criterion {
+        Criterion::Exact { tolerance, .. } => [largest_error(row), *tolerance],
+        Criterion::Order(order) => [(row.observed_order() - order).abs(), ORDER_SLACK],
+    };
+    let [shown, limit] = [error, allowed].map(|value| Cell::number(value, 2));
+    match row.criterion {
+        Criterion::Exact { .. } => [Cell { text: format!("error {}", shown.text), ..shown }, limit],
+        Criterion::Order(order) => {
+            let text = format!("order {order} missed by {}", shown.text);
+            [Cell { text, ..shown }, limit]
+        }
+    }
+}
+
 /// The numbers that fail, and by how much.
 fn failed(rows: &[&Row]) -> Table {
     let cells = |row: &&Row| {
-        let allowed = match &row.criterion {
-            Criterion::Exact { tolerance, .. } => Cell::number(*tolerance, 2),
-            Criterion::Order(order) => Cell::text(format!("order {order}")),
-        };
-        let measured = match &row.criterion {
-            Criterion::Exact { .. } => Cell::number(largest_error(row), 2),
-            Criterion::Order(_) => {
-                Cell::text(format!("order {}", tabular(row.observed_order(), 3)))
-            }
-        };
+        let [measured, allowed] = error_and_allowed(row);
         vec![
             Cell::text(title(&row.case)),
             Cell::text(&row.method),
@@ -110,9 +120,9 @@ fn failed(rows: &[&Row]) -> Table {
     };
     Table::new(
         "Numbers that do not agree with the closed form",
-        "*error*: the largest over all time steps, or the observed order. *allowed*: the largest allowed \
-         error, or the derived order.",
-        "case | method | quantity | #error | #allowed",
+        "The largest error over all time steps or, if theory gives an order, the difference between the \
+         observed and the derived order.",
+        "case | method | quantity | #found | #allowed",
         rows.iter().map(cells).collect(),
     )
 }

@@ -95,12 +95,13 @@ fn the_answer_says_that_all_numbers_agree_or_names_those_that_do_not() {
     assert_eq!(answer(&[&good, &good]), "**All 2 numbers agree with their closed forms.**");
     assert_eq!(
         answer(&[&good, &wrong]),
-        "**1 of 2 numbers does not agree with the closed form:** *case* (velocity): height."
+        "**1 of 2 numbers does not agree with the closed form:** *case* (velocity), height: \
+         error 0.25 instead of at most 10⁻⁹."
     );
     let page = ReportPage::of(&plan, &[vec![good, wrong]]);
     let (_, failed) = page.tables.iter().find(|(id, _)| id == "failed").unwrap();
     let texts: Vec<&str> = failed.rows[0].iter().map(|cell| cell.text.as_str()).collect();
-    assert_eq!(texts, ["case", "velocity", "height", "0.25", "10⁻⁹"]); // |2.5 - 2| / 2
+    assert_eq!(texts, ["case", "velocity", "height", "error 0.25", "10⁻⁹"]); // |2.5 - 2| / 2
     assert_eq!(failed.rows.len(), 1);
 }
 

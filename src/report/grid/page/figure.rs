@@ -38,7 +38,7 @@ pub(super) fn figure(
     let is_flattened = grid.scale.is_none() && y.least < 0.0 && is_flattened(&all);
     let (y, label) = match is_flattened {
         true => {
-            words.push(magnitudes(&series));
+            words.push(magnitudes(&series, &curves.across));
             let size = |(x, y): &mut (f64, f64)| (*x, *y) = (*x, y.abs());
             series.iter_mut().for_each(|own| own.points.iter_mut().for_each(size));
             (Spread::of(all.iter().map(|(_, y)| y.abs())), format!("|{}|", words_of(measure)))
@@ -129,11 +129,11 @@ fn is_flattened(points: &[(f64, f64)]) -> bool {
 }
 
 /// Which values are positive, for a caption of magnitudes.
-fn magnitudes(series: &[Series]) -> String {
+fn magnitudes(series: &[Series], across: &str) -> String {
     let positive = |own: &Series| {
         let places = own.points.iter().filter(|(_, y)| *y > 0.0).map(|(x, _)| readable(*x, 3));
         let places: Vec<String> = places.collect();
-        (!places.is_empty()).then(|| format!("{} at {}", own.name, places.join(", ")))
+        (!places.is_empty()).then(|| format!("{} at {across} {}", own.name, places.join(", ")))
     };
     let positive: Vec<String> = series.iter().filter_map(positive).collect();
     let except = match positive.is_empty() {
