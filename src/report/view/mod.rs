@@ -104,7 +104,7 @@ impl Outcome {
 }
 
 /// A text with a capital first letter.
-pub(in crate::report) fn capital(words: &str) -> String {
+fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

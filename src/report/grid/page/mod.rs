@@ -13,7 +13,7 @@ use super::plan::{Plan, Task, plain};
 use crate::number::count;
 use crate::report::page::markup::literal;
 use crate::report::page::{Block, Cell, Column, Fold, Origin, Page, Table, Tile};
-use crate::report::view::{ReportPage, capital};
+use crate::report::view::ReportPage;
 
 /// The files of a collected grid.
 const WHOLE: [(&str, &str); 3] = [
@@ -38,13 +38,14 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> ReportPage
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     document.open(RESULTS, "What was measured");
     show(grid, plan, &collection.points(), "", &mut document);
+    document.page.opening.push(Block::Tiles(tiles(plan, collection)));
     if let Some(figure) = document.figures.first() {
         let title = figure.title();
         let finding = title.strip_prefix(&format!("{}: ", grid.title)).unwrap_or(title);
-        document.page.lead =
-            format!("**{}.**\n\n{}", literal(&capital(finding)), document.page.lead);
+        let lead = format!("**Result: {}.**", literal(finding));
+        let text = std::mem::replace(&mut document.page.lead, lead);
+        document.page.opening.push(Block::Text(text));
     }
-    document.page.opening.push(Block::Tiles(tiles(plan, collection)));
     document.page.sections.iter_mut().for_each(|section| {
         section.origin = Some(origin(grid));
         if collection.done.len() > MOST_OPEN {
