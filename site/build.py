@@ -65,7 +65,7 @@ def main() -> None:
     for section in sections:
         for page in section.pages:
             if page.source.endswith(".md") and not page.whole:
-                fill(page, sources)
+                fill(page, sources, maker.work)
     frame = Frame(sections, version(), commit())
     for section in sections:
         for page in section.pages:
@@ -158,8 +158,10 @@ def of_file(section: Section, entry: dict[str, Any]) -> Page:
     )
 
 
-def fill(page: Page, sources: "Sources") -> None:
+def fill(page: Page, sources: "Sources", work: Path) -> None:
     text = (ROOT / page.source).read_text(encoding="utf-8")
+    if page.source == "docs/cite.md":
+        text = problem_set.cited(text, work / "set")
     done = prose.render(text, page.source, lambda target: sources.link(target, page.address))
     page.title, page.body, page.headings = done.title, done.body, done.headings
 

@@ -22,7 +22,7 @@ DOORS = [
         [
             ("guide/verdicts.html", "Check an answer"),
             ("guide/commands.html", "Find the cause"),
-            ("guide/engines.html", "Compare engines"),
+            ("guide/ci.html", "Check an engine in CI"),
         ],
     ),
     (

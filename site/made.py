@@ -16,6 +16,7 @@ FONT = "lcplab-math.woff2"
 REPORTS = {
     "standard": "Which solver for a stack with a heavy load, and are lcplab's results correct?",
     "engines": "Which laws of mechanics do physics engines obey?",
+    "receipts": "Do receipts find known defects of released physics engines?",
     "solvers": "Every solver on every problem family: which succeed, what they cost, and what theory predicts.",
     "schemes": "Time-stepping schemes compared: drift, penetration, energy, order of accuracy.",
     "friction": "Friction models compared with closed-form solutions, and Painlevé's rod, for which no forces exist.",
@@ -23,7 +24,7 @@ REPORTS = {
     "scenes": "Animations of the shipped scenes, with their forces.",
     "chapter": "The chapter by Kenwright & Morgan, with every example and figure recomputed.",
 }
-DRAWN = ["engines"]  # without solving: recorded results
+DRAWN = ["engines", "receipts"]  # without solving: recorded results
 LIVE = {
     "two_rows": "Change A and b, and follow six methods in the plane of x.",
     "stack": "Change masses, step through rows, sweeps and pivots, and simulate two seconds.",

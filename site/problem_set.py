@@ -4,6 +4,7 @@ import csv
 import hashlib
 import html
 import json
+import re
 import shutil
 import subprocess
 import zipfile
@@ -82,6 +83,14 @@ def bibtex(folder: Path, count: int) -> str:
 }}"""
 
 
+def cited(text: str, folder: Path) -> str:
+    """A text with the entry of the problem set: it gets version and hash."""
+    count = len((folder / "index.csv").read_text(encoding="utf-8").splitlines()) - 1
+    text, found = re.subn(r"@misc\{lcplab-lcp-set,.*?\n\}", lambda _: bibtex(folder, count), text, flags=re.DOTALL)
+    assert found == 1, "the text has no entry of the problem set"
+    return text
+
+
 def claim(proof: dict | None) -> str:
     return proof["kind"] if proof else ""
 
@@ -97,7 +106,7 @@ def table(folder: Path, archive: Path, rows: list[dict[str, str]], proofs: dict[
         lines.append(
             f'<tr><td class="number">{row["file"][:3]}</td><td class="long"><a href="cards/{stem(row)}.html">{html.escape(row["name"])}</a></td>'
             f'<td class="number">{row["rows"]}</td><td class="number">{row["coupled"]}</td><td class="whole">{row["class"]}</td>'
-            f'<td class="number">{condition(row)}</td><td class="whole">{kind}</td></tr>'
+            f'<td class="number">{condition(row)}</td><td class="whole" data-pagefind-ignore>{kind}</td></tr>'
         )
     title = f"Problem set {version(folder)}"
     body = f"""<h1>{title}</h1>
@@ -112,8 +121,8 @@ states in <a href="../guide/proofs.html">Proof files</a>.</p>
 <pre tabindex="0"><code>{html.escape(bibtex(folder, len(rows)), quote=False)}</code></pre>
 <h2 id="cards">All problems</h2>
 <p><i>Rows</i>: the size of A. <i>Coupled</i>: friction rows, whose bounds depend on a normal force. <i>Condition</i>: the largest
-singular value of A by the smallest that is not 0. <i>Proof</i>: the strongest statement that was proved.</p>
-<div class="scroll" tabindex="0" role="region" aria-label="All problems"><table>
+singular value of A by the smallest that is not 0. <i>Proof</i>: the <a href="../guide/proofs.html#the-proof">strongest statement</a> that was proved.</p>
+<div class="scroll problems" tabindex="0" role="region" aria-label="All problems"><table>
 <thead><tr><th class="number">No</th><th>Problem</th><th class="number">Rows</th><th class="number">Coupled</th><th>Class of A</th><th class="number">Condition</th><th>Proof</th></tr></thead>
 <tbody>
 {chr(10).join(lines)}

@@ -1,6 +1,6 @@
 // The search page: results of the index that pagefind wrote.
 const field = document.querySelector("main input"), list = document.getElementById("results"), state = document.getElementById("state");
-const most = 12, few = 4;
+const most = 12;
 const fillers = new Set("a an and are at be by can do does for from had has have how i if in is it its me my of on or our that the there this to was we what when where which who why with you your".split(" "));
 const base = new URL("pagefind/", import.meta.url);
 const pagefind = await import(new URL("pagefind.js", base)).catch(() => null);
@@ -48,11 +48,11 @@ function entry(found) {
   return item;
 }
 
-/** Pages with all the words but fillers; if they are few, then those with some of the words, by how much they have of each. */
+/** Pages with all the words but fillers; if they do not fill the list, then those with some of the words, by how much they have of each. */
 async function pagesWith(words) {
   const telling = words.toLowerCase().split(/[\s?!,]+/).filter((word) => word && !fillers.has(word));
   const all = (await pagefind.search(telling.join(" ") || words)).results;
-  if (all.length >= few || telling.length < 2) return { all, some: [] };
+  if (all.length >= most || telling.length < 2) return { all, some: [] };
   const shares = new Map();
   for (const word of telling) {
     const { results } = await pagefind.search(word);
