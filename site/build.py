@@ -70,7 +70,7 @@ def main() -> None:
     for section in sections:
         for page in section.pages:
             if page.whole:
-                text = later.split(frame.barred(page, section), page.address, out)
+                text = later.split(linked(frame.barred(page, section), page, sources), page.address, out)
             else:
                 text = frame.document(page, page.body, section)
             if page.address != RUST:
@@ -114,6 +114,15 @@ SEARCH = """<h1>Search</h1>
 <p id="state" role="status"></p>
 <ol id="results"></ol>
 <noscript><p>The search needs JavaScript. Every page is listed on the <a href="index.html">first page</a>.</p></noscript>"""
+
+def linked(text: str, page: Page, sources: "Sources") -> str:
+    """A document that lcplab wrote, with the pages that it names as files of the repository as links."""
+
+    def link(named: re.Match[str]) -> str:
+        return f'<a href="{sources.link(named[1], page.address)}">{named[0]}</a>'
+
+    return re.sub(r"<code>((?:docs|notebooks)/\w+\.md)</code>(?![^<]*</a>)", link, text)
+
 
 RUST = "reference/rust/lcplab/index.html"
 

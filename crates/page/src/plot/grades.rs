@@ -24,7 +24,7 @@ const SHADES: [(f64, (u8, u8, u8), &str); 5] = [
     (0.0, (214, 234, 226), "obeyed"),
     (1.0, (253, 224, 180), "up to 10 ×"),
     (10.0, (247, 176, 112), "up to 100 ×"),
-    (100.0, (222, 106, 72), "up to 10,000 ×"),
+    (100.0, (200, 76, 48), "up to 10,000 ×"),
     (1e4, (160, 32, 48), "more"),
 ];
 const NONE: (u8, u8, u8) = (236, 238, 241);
@@ -204,7 +204,8 @@ fn draw_cell(canvas: &mut Canvas, grade: Grade, (x, y): (f64, f64), width: f64) 
         ROW - 1.0,
         hex(grade.color())
     ));
-    let is_dark = matches!(grade, Grade::Missed(miss) if miss >= 1e4);
+    // The ink contrasts with the shade also on a dark page, which inverts both.
+    let is_dark = matches!(grade, Grade::Missed(miss) if miss >= SHADES[3].0);
     let ink = if is_dark { "#ffffff" } else { "#22262d" };
     canvas.raw(&format!(
         "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{SMALL}\" fill=\"{ink}\">{}</text>\n",
