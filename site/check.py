@@ -31,6 +31,7 @@ SEEN = [
     "problems/cards/040_*.html",
     "reports/standard/index.html",
     "reports/engines/index.html",
+    "reports/receipts/index.html",
     "reference/python.html",
     "reference/options.html",
 ]
