@@ -12,7 +12,10 @@ def main() -> int:
     if sys.argv[1:2] == ["import"]:
         return importing.main(sys.argv[2:])
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # the program hears Ctrl-C itself
-    return run(["lcplab", *sys.argv[1:]])
+    code = run(["lcplab", *sys.argv[1:]])
+    if sys.argv[1:] in (["--help"], ["-h"], ["help"]):
+        print("\nThe Python package adds: lcplab import FILE, which writes an MJCF or URDF model as a scene.")
+    return code
 
 
 if __name__ == "__main__":

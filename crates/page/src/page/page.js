@@ -2,12 +2,19 @@
 // Light and dark, the contents list, and tables sorted by a column; the page reads the same without.
 const root = document.documentElement;
 root.classList.add("live");
+const remembered = (use) => { try { return use(localStorage); } catch { return null; } }; // a browser may forbid it
 
-{ // The button turns the colours; until then the reader's own preference holds.
+{ // The button turns the colours, for all pages of lcplab at this address; until then the reader's own preference holds.
+  const kept = remembered((store) => store.getItem("lcplab-theme"));
+  if (kept) root.dataset.theme = kept;
   const button = document.querySelector(".theme"), prefers = matchMedia("(prefers-color-scheme: dark)");
   const dark = () => (root.dataset.theme ?? (prefers.matches ? "dark" : "light")) === "dark";
   const told = () => button.setAttribute("aria-pressed", dark());
-  button.addEventListener("click", () => { root.dataset.theme = dark() ? "light" : "dark"; told(); });
+  button.addEventListener("click", () => {
+    root.dataset.theme = dark() ? "light" : "dark";
+    remembered((store) => store.setItem("lcplab-theme", root.dataset.theme));
+    told();
+  });
   prefers.addEventListener("change", told);
   button.hidden = false;
   told();
@@ -90,7 +97,6 @@ const speak = (language) => {
   root.dataset.language = language;
   for (const button of switches) button.setAttribute("aria-pressed", button.dataset.language === language);
 };
-const remembered = (use) => { try { return use(localStorage); } catch { return null; } }; // a browser may forbid it
 if (switches.length && remembered((store) => store.getItem("language")) === "rust") speak("rust");
 for (const button of switches) {
   button.addEventListener("click", () => {
