@@ -14,6 +14,10 @@ pub(super) enum Kind {
     Mixed,
     /// Contacts in the plane or in space, with or without their bodies.
     Contacts,
+    /// A linear problem over second-order cones (SOCLCP).
+    Cones,
+    /// Blocks of complementary rows, equations and contacts (GMP).
+    Generic,
 }
 
 /// The kind of a file.
@@ -31,9 +35,10 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
         [1, 0 | 1, _, _, 0] | [0, 1, _, _, ..] => Ok(Kind::Mixed),
         [2 | 3, _, ..] if has_matrix(2) => Ok(Kind::Contacts),
         [5, _, ..] if has_matrix(2) => refused("contacts with rolling friction (RFC3D or GRFC3D)"),
-        [n, _, ..] if is_square(2, n) => refused("a problem over second-order cones (SOCLCP)"),
+        [n, _, ..] if is_square(2, n) => Ok(Kind::Cones),
         [3, _, 1 | 2, ..] if has_matrix(3) => refused("a problem of plasticity"),
-        _ if has_matrix(0) => refused("a generic mechanical problem (GMP), or a matrix alone"),
+        [1, n, ..] if is_square(0, n) => Ok(Kind::Generic),
+        _ if has_matrix(0) => refused("a matrix alone"),
         // Defective: its reader reports the details.
         [n, 0..=2, m, ..] if n == m => Ok(Kind::Boxes),
         _ => {
@@ -47,7 +52,7 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
 /// The error for a file of this unsupported kind.
 pub(super) fn refusal(words: &Words, kind: &str) -> Error {
     words.fault_ahead(format!(
-        "this seems to be {kind}, which is not read: only LCPs, relay problems, mixed LCPs and \
-         contacts (FC2D, FC3D, GFC2D, GFC3D) are"
+        "this seems to be {kind}, which is not read: only LCPs, relay problems, mixed LCPs, \
+         contacts (FC2D, FC3D, GFC2D, GFC3D), SOCLCPs and GMPs are"
     ))
 }

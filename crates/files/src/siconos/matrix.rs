@@ -31,6 +31,15 @@ pub(super) fn size_ahead(words: &Words, after: usize) -> Option<[usize; 2]> {
     is_matrix.then_some([rows, cols])
 }
 
+/// Where each block of rows of the matrix ahead ends, if it is stored in blocks.
+pub(super) fn row_ends_ahead(words: &Words) -> Option<Vec<usize>> {
+    let mut ahead = words.clone();
+    let mut whole = || ahead.next()?.parse::<usize>().ok();
+    let [storage, _rows, _cols, _count, down, _across] =
+        [whole()?, whole()?, whole()?, whole()?, whole()?, whole()?];
+    (storage == BLOCKS).then(|| (0..down).map_while(|_| whole()).collect())
+}
+
 /// The matrix called `name`.
 pub(super) fn read(words: &mut Words, name: &str) -> Result<Table> {
     let storage = words.whole(format_args!("the storage of {name}"))?;

@@ -6,8 +6,12 @@ use crate::words::Words;
 use lcplab_lcp::error::{Error, Result};
 use lcplab_lcp::file::{Entries, Parts};
 
-/// Reads a mixed LCP; any words after it remain unread.
-pub(super) fn read(words: &mut Words, input: &str) -> Result<Parts> {
+/// Reads a mixed LCP, and how many numbers of a known answer follow; other words after it remain
+/// unread.
+///
+/// Siconos' own files end with z and w of an answer, without the first number of z: its program
+/// that converted them (`MixedLinearComplementarity_ReadWrite_test.c`) left that number out.
+pub(super) fn read(words: &mut Words, input: &str) -> Result<(Parts, usize)> {
     let has_whole = words.whole("the flag of M and q")? == 1;
     let has_parts = words.whole("the flag of A, B, C, D, a and b")? == 1;
     let equations = words.whole("the number of equations")?;
@@ -17,11 +21,19 @@ pub(super) fn read(words: &mut Words, input: &str) -> Result<Parts> {
     };
     let whole = if has_whole { Some(whole(words, equations, n)?) } else { None };
     let parts = if has_parts { Some(by_parts(words, equations, n)?) } else { None };
-    match (whole, parts) {
-        (Some(whole), Some(parts)) => same(whole, parts, input),
-        (Some(only), None) | (None, Some(only)) => Ok(only),
-        (None, None) => Err(words.fault("neither M and q nor A, B, C, D, a and b are present")),
+    let parts = match (whole, parts) {
+        (Some(whole), Some(parts)) => same(whole, parts, input)?,
+        (Some(only), None) | (None, Some(only)) => only,
+        (None, None) => {
+            return Err(words.fault("neither M and q nor A, B, C, D, a and b are present"));
+        }
+    };
+    let answer = (n + others).saturating_sub(1);
+    if words.count() != answer {
+        return Ok((parts, 0));
     }
+    words.numbers(answer, "the known answer")?;
+    Ok((parts, answer))
 }
 
 /// The blocks of rows, each of equations or of complementary rows, then M and q.

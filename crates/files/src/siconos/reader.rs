@@ -1,7 +1,7 @@
 //! Reads the problems of Siconos' files; every number in a file must be understood.
 
-use super::kind::{self, Kind, refusal};
-use super::{matrix, mixed};
+use super::kind::{self, Kind};
+use super::{cones, generic, matrix, mixed};
 use crate::Input;
 use crate::contacts::{coulomb, law};
 use crate::delassus::Motion;
@@ -9,6 +9,7 @@ use crate::table::Table;
 use crate::words::{Words, brief};
 use lcplab_lcp::error::{Error, Result};
 use lcplab_lcp::file::{Parts, Problem};
+use lcplab_lcp::friction::Model;
 use lcplab_lcp::memory::Memory;
 
 pub(super) fn read(input: &Input) -> Result<Problem> {
@@ -19,19 +20,35 @@ pub(super) fn read(input: &Input) -> Result<Problem> {
         return Err(Error::invalid(name, "file", "has no numbers"));
     }
     let dimension = words.clone().next().and_then(|word| word.parse().ok()).unwrap_or_default();
-    let (parts, end) = match kind::kind(&words)? {
+    let kind = kind::kind(&words)?;
+    let mut answer = 0;
+    let (parts, end) = match kind {
         Kind::Boxes => (boxes(&mut words, &name)?, "an LCP or a relay problem"),
-        Kind::Mixed => (mixed::read(&mut words, &name)?, "a mixed LCP (MLCP)"),
+        Kind::Mixed => {
+            let (parts, count) = mixed::read(&mut words, &name)?;
+            answer = count;
+            (parts, "a mixed LCP (MLCP)")
+        }
         Kind::Contacts => (contacts(&mut words, &name, input.most())?, "contacts, behind mu"),
+        Kind::Cones => (cones::read(&mut words, &name)?, "a problem over second-order cones"),
+        Kind::Generic => (generic::read(&mut words, &name)?, "a generic mechanical problem (GMP)"),
     };
     if !words.is_empty() {
         let reason = format!("not understood: {} numbers after {end}", words.count());
         return Err(words.fault_ahead(reason));
     }
     let lcp = parts.into_lcp().map_err(|error| error.within(&name))?;
-    let model = law(&lcp, dimension);
+    let model = match kind {
+        Kind::Cones => lcp.coupling().map(|_| Model::AssociatedCone),
+        Kind::Generic => law(&lcp, 3),
+        Kind::Boxes | Kind::Mixed | Kind::Contacts => law(&lcp, dimension),
+    };
     let mut problem = Problem { model, ..Problem::new(input.stem(), lcp) };
     problem.warnings = comment_found(numbers, comment, &name).into_iter().collect();
+    if answer > 0 {
+        let what = format!("the last {answer} numbers, a known answer");
+        problem.warnings.push(format!("{name}: not part of the problem: {what}"));
+    }
     Ok(problem)
 }
 
@@ -115,9 +132,6 @@ fn local(
         let reason = format!("{contacts} contacts have not {} rows", matrix.rows);
         return Err(words.fault(reason));
     }
-    if n == dimension && words.count() == dimension + 3 {
-        return Err(refusal(words, "a problem over second-order cones (SOCLCP)"));
-    }
     let b = words.numbers(n, "q")?;
     let mu = words.numbers(contacts, "mu")?;
     Ok(coulomb(matrix.square(n, input)?, b, &mu, dimension))
@@ -152,7 +166,7 @@ fn global(
 }
 
 /// The number 0 or 1 after mu at the end of many of Siconos' own files; Siconos does not read it.
-fn flag(words: &mut Words, contacts: usize) -> Result<()> {
+pub(super) fn flag(words: &mut Words, contacts: usize) -> Result<()> {
     let left = words.count();
     let is_flag = || matches!(words.clone().next(), Some("0" | "1"));
     if left == 1 && is_flag() {
