@@ -1,7 +1,7 @@
 //! Recognizes the kind of problem in a file of Siconos. Files do not state it, but the numbers
 //! before the first matrix determine it.
 
-use super::matrix::size_ahead;
+use super::matrix::{self, size_ahead};
 use crate::words::Words;
 use lcplab_lcp::error::{Error, Result};
 
@@ -33,6 +33,7 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
     match lead[..] {
         [n, ..] if is_square(1, n) => Ok(Kind::Boxes),
         [1, 0 | 1, _, _, 0] | [0, 1, _, _, ..] => Ok(Kind::Mixed),
+        [3, 1, ..] if is_one_cone(words) => Ok(Kind::Cones),
         [2 | 3, _, ..] if has_matrix(2) => Ok(Kind::Contacts),
         [5, _, ..] if has_matrix(2) => refused("contacts with rolling friction (RFC3D or GRFC3D)"),
         [n, _, ..] if is_square(2, n) => Ok(Kind::Cones),
@@ -47,6 +48,16 @@ pub(super) fn kind(words: &Words) -> Result<Kind> {
             Err(words.fault_ahead(reason))
         }
     }
+}
+
+/// Whether 3, 1 and a matrix begin a problem of one cone rather than of one contact: then q, 0, 3
+/// and tau follow, and maybe a flag, not q and mu.
+fn is_one_cone(words: &Words) -> bool {
+    let mut ahead = words.clone();
+    ahead.next();
+    ahead.next();
+    let is_read = matrix::read(&mut ahead, "M").is_ok_and(|m| [m.rows, m.cols] == [3, 3]);
+    is_read && (6..=7).contains(&ahead.count())
 }
 
 /// The error for a file of this unsupported kind.

@@ -362,9 +362,13 @@ fn a_generic_mechanical_problem_has_complementary_rows_equations_and_contacts() 
 /// the edge (1, ½, 0) at 2 / 1.25. Under Coulomb's law x_n would be 1.
 #[test]
 fn second_order_cones_are_the_associated_cone() {
-    let problem = sample_of("cones");
-    assert_eq!(problem.model, Some(Model::AssociatedCone));
-    assert!(is_solution(&problem, &[1.6, 0.8, 0.0, 1.0, 0.0, 0.0]));
+    for (name, expected) in
+        [("cones", &[1.6, 0.8, 0.0, 1.0, 0.0, 0.0][..]), ("cones_flag", &[1.0, 0.0, 0.0][..])]
+    {
+        let problem = sample_of(name);
+        assert_eq!(problem.model, Some(Model::AssociatedCone));
+        assert!(is_solution(&problem, expected), "{name}");
+    }
 }
 
 #[test]
