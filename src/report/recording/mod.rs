@@ -22,8 +22,8 @@ use crate::memory::Memory;
 use crate::report::study::tally::Tally;
 use crate::scene::Scene;
 use crate::simulation::{
-    Failure, Impact, Impacts, LawErrors, LostBounces, Motion, Simulation, Slips, Step, Warnings,
-    carried,
+    Cause, Failure, Impact, Impacts, LawErrors, LostBounces, Motion, Simulation, Slips, Step,
+    Warnings, carried,
 };
 
 /// The text instead of the work if the forces were not recorded.
@@ -64,6 +64,8 @@ pub struct Record {
     /// The first answer that the judge rejected.
     refused: Option<Refused>,
     failure: Option<String>,
+    /// Whether it ended because a body diverged.
+    has_diverged: bool,
     /// The proof that the failed step had no solution.
     proof: Option<Value>,
 }
@@ -96,6 +98,7 @@ impl Record {
             warnings: Warnings::default(),
             refused: None,
             failure: None,
+            has_diverged: false,
             proof: None,
         };
         record.note(&motion);
@@ -166,6 +169,7 @@ impl Record {
     pub(crate) fn end(&mut self, failure: &Failure) {
         self.cut(&failure.to_string());
         self.proof = proof(&failure.cause);
+        self.has_diverged = matches!(failure.cause, Cause::Diverged { .. });
     }
 
     /// Records that recording ended early for another reason.

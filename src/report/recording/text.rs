@@ -333,6 +333,10 @@ impl Record {
                 "a shorter step or a larger step.baumgarte reduces it"
             }
             Scheme::Velocity | Scheme::SequentialImpulses => "set step.baumgarte to correct it",
+            // Feedback cannot hold what rows of a nearly singular A throw apart.
+            Scheme::Acceleration if self.has_diverged => {
+                "the motion diverged: try a shorter step or the scheme velocity"
+            }
             Scheme::Acceleration if self.scene.step.alpha == 0.0 => "set step.alpha to correct it",
             Scheme::Penalty => "a larger step.penalty.stiffness with more step.substeps reduces it",
             Scheme::Soft => "a larger step.soft.joint_hertz with more step.substeps reduces it",

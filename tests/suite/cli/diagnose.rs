@@ -140,3 +140,29 @@ fn a_motor_that_presses_against_a_wall_is_no_trouble() {
     );
     assert!(!words.contains("Cause:"), "{words}");
 }
+
+/// The first lines of a diagnosis announce causes if and only if causes follow.
+#[test]
+fn a_diagnosis_begins_with_no_cause_exactly_if_it_has_none() {
+    for (scene, has_cause) in [
+        (&["stack"][..], false),
+        (&["fig7"], false),
+        (&["dzhanibekov"], false),
+        (&["mass_ratio3", "--solver", "pgs", "--sweeps", "10"], true),
+        (&["stack", "--solver", "pgs", "--sweeps", "3"], true),
+        (&["stretched_chain", "--set", "step.baumgarte=0.8"], true),
+    ] {
+        let told = out(&run(&[&["diagnose"], scene].concat()));
+        let (begin, rest) = told.split_once("\n1 ").expect("a first section");
+        let [begin, rest] =
+            [begin, rest].map(|text| text.split_whitespace().collect::<Vec<_>>().join(" "));
+        let announces = begin.ends_with("the causes of the error follow.");
+        assert_eq!(announces, has_cause, "{scene:?}: {begin}");
+        assert_eq!(
+            begin.contains("No cause of errors was found"),
+            !has_cause,
+            "{scene:?}: {begin}"
+        );
+        assert_eq!(rest.contains("Cause: "), has_cause, "{scene:?}: {rest}");
+    }
+}

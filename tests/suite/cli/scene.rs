@@ -303,6 +303,70 @@ fn the_torque_of_a_gear_is_no_error_of_the_scheme() {
     }
 }
 
+/// A ball hits a brick at rest off-center. XPBD turns the brick from rest within a substep h; the
+/// change of the angular momentum is h/2 ω × I ω, with ω before restitution, up to order h².
+#[test]
+fn the_angular_momentum_that_xpbd_makes_in_an_off_center_impact_is_named_with_its_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("off-center.toml");
+    let text = "gravity = [0, 0, 0]\ncontact.restitution = 0.5\nstep.dt = 0.008\nstep.count = 10\n\
+        [[bodies]]\nname = \"brick\"\nmass = 2\nshape = { box = [0.2, 0.8, 0.4] }\n[[bodies]]\n\
+        name = \"ball\"\nmass = 1\nshape = { sphere = 0.1 }\nposition = [-0.2, 0.3, 0.15]\n\
+        velocity = [3, 0, 0]\n";
+    std::fs::write(&path, text).unwrap();
+    // The impulse J along x turns the brick by I ω = J (0, z, −y), with the moments m (a² + b²)/12.
+    let [y, z] = [0.3, 0.15];
+    let [about_y, about_z] = [2.0 * (0.04 + 0.16) / 12.0, 2.0 * (0.04 + 0.64) / 12.0];
+    let impulse = 3.0 / (1.0 + 0.5 + z * z / about_y + y * y / about_z);
+    let substep = 0.008 / 8.0;
+    let made = 0.5 * substep * impulse * impulse * y * z * f64::abs(1.0 / about_z - 1.0 / about_y);
+    let note = format!("the total angular momentum changed by {made:.1e} N m s");
+    let path = path.to_str().unwrap();
+    for scheme in lcplab::scene::Scheme::ALL {
+        let told = out(&run(&["simulate", path, "--scheme", scheme.name()]));
+        let is_named =
+            told.contains(&note) && told.contains("the scheme xpbd does not conserve it");
+        assert_eq!(is_named, scheme.name() == "xpbd", "{made}: {told}");
+        assert_eq!(told.contains("angular momentum"), is_named, "{told}");
+    }
+}
+
+/// A strong motor drives Bricard's mechanism, which locks as soon as it has drifted, until it is torn
+/// apart. The remedy is one that helps: with `step.alpha` it is torn apart too.
+#[test]
+fn a_mechanism_that_a_motor_tears_apart_names_its_row_and_a_remedy_that_helps() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("ring.toml");
+    let motor = "\n[[constraints]]\nkind = \"motor_rotation\"\nbodies = [\"rod 1\"]\naxis = [0, 1, 0]\n\
+        speed = 2\neffort = 1e6\n";
+    std::fs::write(&path, out(&run(&["scenes", "bricard"])) + motor).unwrap();
+    let simulated = |more: &[&str]| {
+        let told = run(&[&["simulate", path.to_str().unwrap()], more].concat());
+        (told.status.code(), out(&told))
+    };
+    let level = ["--scheme", "acceleration", "--steps", "20"];
+    let (code, told) = simulated(&level);
+    assert_eq!(code, Some(1), "{told}");
+    assert!(
+        told.contains("\"rod 1\" diverged; the row with the largest impulse on it is"),
+        "{told}"
+    );
+    assert!(
+        told.contains("the motion diverged: try a shorter step or the scheme velocity"),
+        "{told}"
+    );
+    assert!(!told.contains("set step.alpha"), "{told}");
+    let with_alpha = simulated(&[&level[..], &["--set", "step.alpha=20"]].concat());
+    assert_eq!(with_alpha.0, Some(1), "{}", with_alpha.1);
+    for remedy in [
+        &["--scheme", "acceleration", "--dt", "0.001", "--set", "step.alpha=20"][..],
+        &["--scheme", "velocity"],
+    ] {
+        let (code, told) = simulated(&[remedy, &["--steps", "200"]].concat());
+        assert_eq!(code, Some(0), "{told}");
+    }
+}
+
 #[test]
 fn simulate_compare_and_diagnose_name_an_impact_that_lost_its_bounce() {
     let folder = tempfile::tempdir().unwrap();

@@ -156,3 +156,18 @@ fn nearly_all_singular_problems_with_a_solution_are_solved() {
         assert!(100 * solved >= 99 * problems.len(), "{}: {solved}", solver.name());
     }
 }
+
+/// Two equal rows contradict each other by 1: the first is an equation, so the second must be at
+/// its bound a. The slope of the Fischer-Burmeister function towards it is (w/a)²/2: among many
+/// steps none finds a distant bound, and none is claimed.
+#[test]
+fn fischer_burmeister_finds_a_bound_that_contradicting_rows_need_only_if_it_is_not_far() {
+    for (a, is_found) in [(1.0, true), (1e3, true), (1e8, false)] {
+        let rows: [&[f64]; 2] = [&[1.0, 1.0], &[1.0, 1.0]];
+        let lcp = boxed(&rows, &[-1.0, -2.0], &[-INF, -a], &[INF, a]);
+        let [minimum, fischer] = both().map(|s| s.solve(&lcp, &Start::default(), &mut ()));
+        assert_eq!(minimum.status, Status::Solved, "{a}");
+        assert_proved(&lcp, &minimum.x);
+        assert_eq!(fischer.status == Status::Solved, is_found, "{a}: {:?}", fischer.x);
+    }
+}

@@ -225,6 +225,7 @@ const CASES: &[(&str, &str, Case)] = &[
     ("oblique-slip", "slip at 30° to the axes", collisions::oblique_slip),
     ("three-bounces", "three bounces", collisions::bounces),
     ("flat-bounce", "bounce of a flat box", collisions::flat),
+    ("off-center-impact", "off-center impact", collisions::off_center),
     ("gap-below-a-step", "impacts closer than a step", collisions::gap),
     ("blocked-motor", "blocked motor", mechanism::blocked),
     ("bricard", "Bricard's ring", bricard::bricard),
