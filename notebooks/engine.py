@@ -148,7 +148,7 @@ def murty(A, b):
 
 
 def lemke(A, b):
-    """The x of x >= 0, w = A x + b >= 0, x w = 0; None where the path ends on a ray.
+    """The x of x >= 0, w = A x + b >= 0, x w = 0; None where the path ends on a ray; no ties.
 
     The tableau says w = A x + z0 e + b. Variable i is w_i, n + i is x_i, 2n is the cover z0.
     """

@@ -702,3 +702,166 @@ def test_the_stops_of_lemkes_path_in_the_drawing_of_lesson_7():
     A, start = np.array([[2.0, 1], [1, 2]]), np.array([-5.0, -6])
     for x, z0, w in ([0, 0], 6, [1, 0]), ([0, 1], 4, [0, 0]), ([4 / 3, 7 / 3], 0, [0, 0]):
         assert_allclose(A @ np.array(x) + z0 + start, w, atol=1e-12)
+
+
+def test_lemkes_path_circles_after_ties_on_a_p_matrix_and_not_without_ties_as_lesson_7_says():
+    A = [[1, 2, 0], [0, 1, 2], [2, 0, 1]]
+    minors = [np.linalg.det(np.array(A)[np.ix_(F, F)]) for F in ([0], [1], [2], [0, 1], [0, 2], [1, 2], [0, 1, 2])]
+    assert min(minors) > 0.9
+    basis, stops = ["w0", "w1", "w2"], []
+    T = [[Fraction(i == j) for j in range(3)] + [Fraction(-a) for a in A[i]] + [Fraction(-1)] * 2 for i in range(3)]
+    names = ["w0", "w1", "w2", "x0", "x1", "x2", "z0"]  # the columns; the last one is b
+    partner = {**dict(zip(names[:3], names[3:6])), **dict(zip(names[3:6], names[:3]))}
+    row, entering = 0, "z0"
+    while (stop := (set(basis), entering)) not in stops:
+        stops.append(stop)
+        k = names.index(entering)
+        T[row] = [value / T[row][k] for value in T[row]]
+        T = [T[i] if i == row else [p - T[i][k] * q for p, q in zip(T[i], T[row])] for i in range(3)]
+        leaving, basis[row] = basis[row], entering
+        assert leaving != "z0"  # it never arrives
+        entering = partner[leaving]
+        k = names.index(entering)
+        row = min((i for i in range(3) if T[i][k] > 0), key=lambda i: T[i][-1] / T[i][k])  # of equal ones the first
+    assert len(stops) - stops.index(stop) == 6
+    for b in -np.ones(3), np.array([-1, -1.01, -1.02]):
+        (x,) = engine.all_cases(np.array(A, dtype=float), b)
+        assert_allclose(engine.murty(np.array(A, dtype=float), b), x)
+    assert_allclose(engine.lemke(np.array(A, dtype=float), b), x)  # without ties
+
+
+def test_several_contacts_gain_energy_just_where_a_pushed_one_was_opening_as_lesson_12_says():
+    J = np.array([[-1.0, 1, 0], [0, -1, 1]])  # three touching balls of 1 kg
+    A = J @ J.T
+
+    def after(u):
+        before = J @ u
+        (first,) = engine.all_cases(A, before)
+        (x,) = engine.all_cases(A, np.where((first > 0) & (before < 0), 2 * before, before))  # e = 1
+        return u + J.T @ x, ((x > 1e-9) & (before > 0)).any()
+
+    u, opened = after(np.array([1, 0, 0.2]))
+    assert opened
+    assert_allclose(u, np.array([-4, 11, 11]) / 15)
+    assert_allclose(u @ u / (1 + 0.2**2), 1.1, atol=0.01)
+    gains = []
+    for start in np.random.default_rng(8).normal(size=(500, 3)):
+        u, opened = after(start)
+        gains.append(opened)
+        assert (u @ u > start @ start + 1e-12) == opened
+        assert u @ u > start @ start - 1e-12
+    assert 0 < sum(gains) < 500
+    for speed in -2.0, -0.3, 0.0, 0.4:  # a single contact: a ball and the ground
+        (x,) = engine.all_cases(np.eye(1), np.array([2 * min(speed, 0) + max(speed, 0)]))
+        assert_allclose(abs(speed + x[0]), abs(speed))
+
+
+def test_the_rod_of_lesson_12_stops_sliding_at_0_15_newton_seconds_and_still_approaches():
+    A, w, x, d = np.array([[2.5, -1.5], [-1.5, 2.5]]), np.array([-1, 0.6]), np.zeros(2), 1e-6
+    while w[1] > 0:  # it slides: of each small impulse d, Coulomb's friction takes d against the slip
+        x, w = x + [d, -d], w + A @ [d, -d]
+    assert_allclose(x, [0.15, -0.15], atol=2e-6)
+    assert_allclose(w, [-0.4, 0], atol=1e-5)
+    stuck = A[0, 1] / A[1, 1]  # the friction that keeps the end from sliding, for each 1 N s along the normal
+    assert abs(stuck) < 1
+
+
+def test_ten_substeps_compute_all_rows_ten_times_for_the_same_number_of_sweeps_as_lesson_16_says(monkeypatch):
+    rows, row = [], engine.row
+    monkeypatch.setattr(engine, "row", lambda *given: rows.append(0) or row(*given))
+    counts = []
+    for substeps in 1, 10:
+        boxes = [engine.Box((0, -5, 0), 10, 0)] + [engine.Box((0, k + 0.5, 0), 1, 1) for k in range(3)]
+        rows.clear()
+        kept = {}
+        for _ in range(substeps):
+            kept = engine.step(boxes, 0.01 / substeps, 10 // substeps, 0.5, kept, soft=(60, 1.0))
+        counts.append(len(rows))
+    assert counts == [12, 120]  # three layers, two points, a normal and a tangent
+
+
+def test_one_stiffness_gives_each_row_another_h_and_one_frequency_the_same_as_lesson_16_says():
+    dt, a = 0.001, np.array([1, 1.01, 0.01])  # 1 kg on the ground, 100 kg on 1 kg, 100 kg on the ground
+    weight = 9.81 * np.array([1, 100, 100])
+    h = lambda k: dt * np.sqrt(k * a)  # the frequency of a mass 1/a on a spring k
+    assert_allclose(h(1e5) / h(1e5)[0], [1, np.sqrt(1.01), 0.1])
+    stiffness = (2 * np.pi * 120) ** 2 / a
+    assert_allclose(h(stiffness), 2 * np.pi * 120 * dt)
+    assert_allclose(engine.softness(a, 120, 1.0, dt)[1], engine.softness(1.0, 120, 1.0, dt)[1])  # one β
+    assert_allclose(weight / stiffness / (weight / stiffness)[0], [1, 101, 1])  # 100 kg on 1 kg sinks deep
+
+
+def test_the_natural_residual_bounds_the_distance_to_the_nearest_answer_of_four_corners_as_lesson_9_says():
+    corners = np.array([[-0.5, -0.5], [-0.5, 0.5], [0.5, -0.5], [0.5, 0.5]])
+    J = np.column_stack([np.ones(4), corners[:, 1], -corners[:, 0]])
+    A, b = J @ np.diag([1.0, 6, 6]) @ J.T, -np.ones(4)
+    quarter, z = 0.25 * np.ones(4), np.array([1, -1, -1, 1])
+    one = np.array([0.5, 0, 0, 0.5])
+    assert np.abs(np.minimum(one, A @ one + b)).max() < 1e-12 and np.linalg.norm(one - quarter) == 0.5
+    generator = np.random.default_rng(9)
+    for size in 1.0, 0.1, 0.001:
+        for _ in range(2000):
+            x = quarter + generator.uniform(-0.25, 0.25) * z + size * generator.normal(size=4)
+            nearest = quarter + np.clip(z @ (x - quarter) / 4, -0.25, 0.25) * z
+            assert np.linalg.norm(x - nearest) < 2 * np.linalg.norm(np.minimum(x, A @ x + b))
+
+
+def test_a_small_scaled_residual_does_not_show_that_a_solution_exists_as_lesson_9_says():
+    ring = 2 * np.eye(4) - np.roll(np.eye(4), 1, axis=0) - np.roll(np.eye(4), -1, axis=0)
+    assert_allclose(engine.scaled(ring, -np.ones(4), 1e8 * np.ones(4)), 1 / (4e8 + 1))
+
+
+def test_the_best_relaxation_does_the_work_of_10_sweeps_to_six_digits_and_of_13_in_the_long_run_as_lesson_5_says():
+    n = 10
+    A, b, exact = 2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1), np.zeros(n), np.arange(n, 0, -1)
+    A[0, 0], b[0] = 1, -1
+    rho = np.cos(np.pi / 20) ** 2
+    best = 2 / (1 + np.sqrt(1 - rho))
+
+    def sweeps(omega, part):
+        x, k = np.zeros(n), 0
+        while abs(x - exact).max() > part * n:
+            x, k = engine.sor(A, b, np.zeros(n), np.full(n, np.inf), omega, 1, x), k + 1
+        return k
+
+    assert round(np.log(best - 1) / np.log(rho)) == 13
+    assert round(sweeps(1.0, 1e-6) / sweeps(best, 1e-6)) == 10
+
+
+def test_a_row_that_moves_lowers_the_objective_from_within_its_bounds_and_may_raise_it_from_outside():
+    f = lambda A, b, x: 0.5 * x @ A @ x + b @ x
+    one = np.ones(1)
+    moved = engine.sor(np.eye(1), one, 0 * one, np.inf * one, 1.0, 1, -one)
+    assert f(np.eye(1), one, -one) == -0.5 and f(np.eye(1), one, moved) == 0
+    for A, b in problems():
+        zero, inf = np.zeros(len(b)), np.full(len(b), np.inf)
+        for omega in 0.5, 1.0, 1.9:
+            x = np.abs(b)  # within the bounds
+            for _ in range(30):
+                y = engine.sor(A, b, zero, inf, omega, 1, x)
+                assert f(A, b, y) <= f(A, b, x) + 1e-12
+                x = y
+
+
+def test_a_scaled_residual_is_a_part_of_the_terms_on_either_leg_as_lesson_8_says():
+    one = np.ones(1)
+    open_contact, pushing = np.array([1e-8]), np.array([1 + 2e-8])
+    assert_allclose(engine.scaled(np.eye(1), one, open_contact), 1e-8, rtol=1e-6)  # w = 1: nothing cancels
+    assert_allclose(engine.scaled(np.eye(1), -one, pushing), 1e-8, rtol=1e-6)  # 1 - 1 leaves 2e-8 of 2
+
+
+def test_the_friction_of_an_impact_in_one_impulse_adds_the_energy_that_lesson_11_mentions():
+    x, before, after = np.array([1.025, 0.375]), np.array([-1, 0.6]), np.array([1, 0])
+    A = np.array([[2.5, -1.5], [-1.5, 2.5]])
+    assert_allclose(before + A @ x, after, atol=1e-12)
+    assert_allclose(x * (before + after) / 2, [0, 0.1125], atol=1e-12)  # J, of the normal and of friction
+
+
+def test_damped_jacobi_converges_below_two_over_the_largest_eigenvalue_as_lesson_4_says():
+    A, b = 0.2 * np.eye(3) + 0.8 * np.ones((3, 3)), -np.ones(3)
+    limit = 2 / 2.6  # the eigenvalues are 0.2, 0.2 and 2.6
+    for damping, is_right in (0.98 * limit, True), (1.02 * limit, False):
+        x = np.array([0.3, 0.4, 0.5])
+        for _ in range(2000):
+            x = np.maximum(x - damping * (A @ x + b) / np.diag(A), 0)
+        assert (abs(x - 5 / 13).max() < 1e-9) == is_right
