@@ -865,3 +865,38 @@ def test_damped_jacobi_converges_below_two_over_the_largest_eigenvalue_as_lesson
         for _ in range(2000):
             x = np.maximum(x - damping * (A @ x + b) / np.diag(A), 0)
         assert (abs(x - 5 / 13).max() < 1e-9) == is_right
+
+
+def test_the_five_rows_of_a_hinge_as_lesson_2_has_them():
+    generator, h = np.random.default_rng(10), 1e-3
+    a, ts = np.array([0, 0.6, 0.8]), ([1.0, 0, 0], [0, 0.8, -0.6])  # the axis and two directions across it
+    omega = np.array([[0.5, -1, 0.8], [1.2, 0.3, -0.7]])
+
+    def turned(r, spin, time):  # Rodrigues
+        size, r = np.linalg.norm(spin), np.array(r)
+        e = spin / size
+        across = np.cross(e, r)
+        return r + np.sin(size * time) * across + (1 - np.cos(size * time)) * np.cross(e, across)
+
+    def c(t, omega, time):  # the axis belongs to body 1, the direction to body 0, and both spin on
+        return turned(a, omega[1], time) @ turned(t, omega[0], time)
+
+    allowed = np.array([omega[0], omega[0] + 0.7 * a])  # a turn about the axis
+    for t in ts:
+        s = np.cross(a, t)
+        assert_allclose((c(t, omega, h) - c(t, omega, -h)) / (2 * h), s @ (omega[1] - omega[0]), atol=1e-5)
+        assert_allclose(s @ (allowed[1] - allowed[0]), 0, atol=1e-12)
+        product = (allowed[1] - allowed[0]) @ np.cross(allowed[0], s)
+        assert abs(product) > 0.1
+        assert_allclose((c(t, allowed, h) - 2 * c(t, allowed, 0) + c(t, allowed, -h)) / h**2, product, atol=1e-5)
+    zero, I, r = np.zeros(3), np.eye(3), generator.normal(size=(2, 3))
+    point = np.hstack([-I, engine.skew(r[0]), I, -engine.skew(r[1])])
+    J = np.vstack([point] + [np.concatenate([zero, -np.cross(a, t), zero, np.cross(a, t)]) for t in ts])
+    assert np.linalg.matrix_rank(J) == 5
+
+
+def test_the_inertia_seen_from_outside_turns_with_the_body_as_lesson_3_says():
+    places, masses = np.random.default_rng(12).normal(size=(6, 3)), np.arange(1.0, 7)
+    inertia = lambda rs: sum(m * ((r @ r) * np.eye(3) - np.outer(r, r)) for m, r in zip(masses, rs))
+    R = np.linalg.qr(np.random.default_rng(13).normal(size=(3, 3)))[0]
+    assert_allclose(inertia(places @ R.T), R @ inertia(places) @ R.T)
