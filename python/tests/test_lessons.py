@@ -213,7 +213,7 @@ def cell_of(lesson, part):
     """The names that the cell of a lesson with this text in it defines."""
     code = next(code for code, _ in cells.cells(NOTEBOOKS / lesson) if part in code)
     names = {"np": np, **{name: getattr(engine, name) for name in ("softness", "step", "Box")}}
-    exec(re.split(r"\n(?=for |A3)", code)[0], names)
+    exec(re.split(r"\n(?=for |print)", code)[0], names)
     return names
 
 
