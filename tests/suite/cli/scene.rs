@@ -331,8 +331,8 @@ fn the_angular_momentum_that_xpbd_makes_in_an_off_center_impact_is_named_with_it
     }
 }
 
-/// A strong motor drives Bricard's mechanism, which locks as soon as it has drifted, until it is torn
-/// apart. The remedy is one that helps: with `step.alpha` it is torn apart too.
+/// A strong motor drives Bricard's mechanism, which locks as soon as it has drifted, until it is
+/// torn apart. The remedy is one that helps: with `step.alpha` it is torn apart too.
 #[test]
 fn a_mechanism_that_a_motor_tears_apart_names_its_row_and_a_remedy_that_helps() {
     let folder = tempfile::tempdir().unwrap();

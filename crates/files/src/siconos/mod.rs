@@ -32,7 +32,8 @@
 //! matrix and from how many follow it, and rejects a file unless it understands all of its numbers.
 //! Three things may follow a problem: a number 0 or 1 after mu, which ends many of Siconos' own
 //! files and which Siconos does not read; n + 2 m − 1 numbers after an MLCP, a known answer, which
-//! cause a warning; and lines of text, which count as a comment and cause a warning. An MLCP may contain its matrix in both forms, which must agree.
+//! cause a warning; and lines of text, which count as a comment and cause a warning. An MLCP may
+//! contain its matrix in both forms, which must agree.
 //!
 //! M of a GFC3D is factored in double precision, by Cholesky, or by LU if it is not symmetric; each
 //! column of H is one solve with one step of iterative refinement; lcplab's proofs refer to the
@@ -65,7 +66,8 @@ mod writer;
 use super::Format;
 use lcplab_lcp::friction::Model;
 
-/// Siconos' LCPs, relay problems, mixed LCPs, contacts, and problems over cones or of several kinds.
+/// Siconos' LCPs, relay problems, mixed LCPs, contacts, and problems over cones or of several
+/// kinds.
 pub const FORMAT: Format = Format {
     name: "siconos",
     about: "Siconos: LCPs, relay problems, mixed LCPs, contacts (FC2D, FC3D, GFC2D, GFC3D), SOCLCPs and GMPs as lists of numbers",

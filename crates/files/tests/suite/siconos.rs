@@ -358,8 +358,8 @@ fn a_generic_mechanical_problem_has_complementary_rows_equations_and_contacts() 
     assert!(!is_solution(&problem, &[0.5, -0.5, 1.0, 0.5, 0.0]));
 }
 
-/// With A = 1 the answer is the nearest point of the cone ‖x_t‖ ≤ x_n / 2: that to (1, 2, 0) lies on
-/// the edge (1, ½, 0) at 2 / 1.25. Under Coulomb's law x_n would be 1.
+/// With A = 1 the answer is the nearest point of the cone ‖x_t‖ ≤ x_n / 2: that to (1, 2, 0) lies
+/// on the edge (1, ½, 0) at 2 / 1.25. Under Coulomb's law x_n would be 1.
 #[test]
 fn second_order_cones_are_the_associated_cone() {
     for (name, expected) in

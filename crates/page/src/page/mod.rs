@@ -444,6 +444,15 @@ impl Table {
 
     /// The table without its secondary columns, and without the sentences of "how to read" that
     /// begin with the name of one.
+    ///
+    /// ```
+    /// use lcplab_page::page::{Cell, Column, Table};
+    ///
+    /// let columns = vec![Column::words("case"), Column::words("formula").secondary()];
+    /// let rows = vec![vec![Cell::text("free fall"), Cell::text("v0 - g t")]];
+    /// let table = Table { columns, rows, ..Table::default() };
+    /// assert_eq!(table.primary().columns.len(), 1);
+    /// ```
     pub fn primary(&self) -> Table {
         let kept: Vec<usize> =
             (0..self.columns.len()).filter(|&c| !self.columns[c].secondary).collect();
