@@ -32,7 +32,7 @@ Examples:
 From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, cone-solution, motion, \
 within. \
 The first kind that can be proved is written; for each stronger kind the output says why it was not proved. \
-For a problem of up to 24 rows, lcplab also searches all cases for a second solution, within about half a minute; \
+For a problem of up to 24 rows, lcplab also searches all active sets for a second solution, within about half a minute; \
 the output says whether there is one. \
 With --all, lcplab lists all solutions of a problem of up to 16 rows if each has one finite bound, or of up to 10 rows \
 if they have two. \

@@ -42,7 +42,7 @@ Examples:
   lcplab compare pushed-rod --model coulomb-cone --model polygon-16
   lcplab compare problem.mtx                  # any format of `convert --list`
   lcplab compare pd --plugin \"python3 mine.py\" # your solver and built-in ones
-  lcplab compare set --profile mine           # a set of `problems --export set`
+  lcplab compare mine --profile mine          # the problems of a folder
 
 A scene: every solver simulates it at the velocity and at the acceleration level; --solver and --scheme \
 select some. The table has only one line for a scheme that solves no LCP. lcplab measures the errors of contacts and joints, \

@@ -67,7 +67,7 @@ impl View for Plan {
                  $t_1$ with 3 m/s. By Coulomb's law it stops on the straight line, after $v^2 / (2 \\mu g)$. \
                  In a model with corners, friction is the corner that points most against the slip. It turns \
                  the slip toward the direction halfway between two corners: toward $t_1$ for the box, toward \
-                 the diagonal for the polygon with four corners. The figure of the paths shows these.",
+                 the diagonal for the polygon with four corners. The first figure of this section shows these paths.",
             );
             document.table("friction_paths", path_table(study));
         }

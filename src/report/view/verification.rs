@@ -280,13 +280,13 @@ fn formulas(rows: &[Row]) -> String {
 }
 
 /// The symbols of formulas that are not in the glossary, each with a case that has them.
-const SYMBOLS: [(&str, &str); 8] = [
+const SYMBOLS: [(&str, &str); 10] = [
     ("pendulum", "agm: the arithmetic-geometric mean."),
     ("iftomm-pendulum", "sn, cn: Jacobi's elliptic functions with the modulus $k$."),
     ("flip", "$K(k)$: the complete elliptic integral of the first kind with the modulus $k$."),
     (
         "capstan",
-        "In the capstan cases, $T_1$ and $T_2$ are the pulls at the ends of the rope, $n$ is the number of its links, \
+        "In the two cases *rope around a post*, $T_1$ and $T_2$ are the pulls at the ends of the rope, $n$ is the number of its links, \
          $\\delta$ the angle of a link around the post, $r = (1 + \\mu \\tan \\frac{\\delta}{2}) / (1 - \\mu \\tan \
          \\frac{\\delta}{2})$, $m$ the mass of each point, and $m K$ the pull $T_2$ per acceleration of the rope if $T_1 = 0$.",
     ),
@@ -300,8 +300,11 @@ const SYMBOLS: [(&str, &str); 8] = [
     ),
     (
         "gap-below-a-step",
-        "$s$: the sine of the angle between the velocity of the first ball and the line of the centers.",
+        "In *impacts closer than a step*, $s$ is the sine of the angle between the velocity of the first ball and the \
+         line of the centers.",
     ),
+    ("moving-support", "In *moving supports*, $s$ is the distance that the belt moves."),
+    ("static-friction", "$F'$: the rate at which the force grows."),
     ("bricard", "In Bricard's ring, $n$ is its degree of freedom, $J n = 0$."),
 ];
 

@@ -14,8 +14,10 @@ const SUMMED: (f64, &str) = (1e-6, "the tolerance of the solver, accumulated ove
 const SUBSTEPS: (f64, &str) =
     (1e-6, "rounding errors of position differences divided by the substep");
 /// Across the change ω × I ω of the angular momentum I ω, see [`off_center`].
-const ALONG: (f64, &str) =
-    (1e-6, "the brick's inertia turns about an axis across its angular momentum");
+const ALONG: (f64, &str) = (
+    1e-6,
+    "the brick turns about an axis that is not parallel to its angular momentum, which a step changes slightly",
+);
 
 /// The speed after a damped contact.
 const DAMPED: [&str; 2] =

@@ -107,7 +107,7 @@ fn gain(factors: &[&Factor]) -> String {
 
 fn words(factor: &Factor) -> String {
     format!(
-        "Below: the factor of {} in step {} ({} rows, {} entries of A on and below the diagonal).",
+        "Below: the factor of {} in step {} ({} rows, {} entries of A that are not 0 on and below the diagonal).",
         factor.scene,
         factor.step,
         count(factor.rows),

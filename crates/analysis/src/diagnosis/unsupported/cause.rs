@@ -170,8 +170,8 @@ impl fmt::Display for Slow {
             ),
             Slow::Tall { bodies: Some(bodies), without } => write!(
                 f,
-                "impulses propagate through {bodies} bodies, one after the other. With equal masses: if \
-                 each pair of bodies were a separate problem, {}.",
+                "impulses propagate through {bodies} bodies, one after the other. In a test with equal \
+                 masses, if each pair of bodies were a separate problem, {}.",
                 saves(without, "the coupled pairs need")
             ),
             Slow::Tall { bodies: None, without } => write!(
