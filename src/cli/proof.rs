@@ -37,7 +37,7 @@ the output says whether there is one. \
 With --all, lcplab lists all solutions of a problem of up to 16 rows if each has one finite bound, or of up to 10 rows \
 if they have two. \
 docs/proofs.md says what each kind proves. Most proofs are about boxes: under a friction cone, no-solution, \
-solution and cone-solution can be proved, under a polygon only no-solution (although the verdict of the judge can be *proved*).
+solution and cone-solution can be proved, under a polygon only no-solution (although the judge can prove an answer under a polygon).
 
 Exit codes:
   0  a proof was written; with --all, there is a solution

@@ -14,10 +14,14 @@ that kind; the numbers must be those that lcplab writes, to the last bit, or, wh
     relay     n M q lb ub                        lb <= x <= ub
     mixed     1 f n m ends flags M q             ends: 0 to n + m; flag 0: w = 0 in the block; f = 1: the parts follow
               0 1 n m A B C D a b                by rows; M = [A C; D B], q = (a, b), the first n rows have w = 0
+              either may be followed by n + 2 m - 1 numbers, an answer
     local     d contacts M q mu                  d = 3: rows n, t1, t2 of each contact; d = 2: rows n, t
     global    d contacts M H q b mu              M v = H r + q, u = H' v + b
+    cones     n cones M q begins tau             begins: 0, 3, ... n; the associated cone with mu = tau
+    generic   M q, and for each block of rows    M in blocks; kind 0: 0 <= x, w >= 0; 2: w = 0; 4 mu: a contact
+              its kind
 
-One more 0 or 1 may follow mu. Lines behind the numbers that begin with a word and have more words than numbers are a
+One more 0 or 1 may follow mu and tau. Lines behind the numbers that begin with a word and have more words than numbers are a
 comment. Exit code: 1 if anything differs.
 """
 import json
@@ -96,6 +100,7 @@ class Numbers:
             return matrix
         count, down, across = self.wholes(3)
         row_ends, col_ends = self.wholes(down), self.wholes(across)
+        self.row_ends = row_ends
         lengths = self.wholes(2)
         first, columns = self.wholes(lengths[0]), self.wholes(lengths[1])
         need(down and across and row_ends[-1] == rows and col_ends[-1] == cols)
@@ -197,6 +202,8 @@ def mixed(t):
         by_parts = [x + y for x, y in [*upper, *lower]], t.reals(n), [-INF] * equations + [0.0] * others
         need(not whole or by_parts == (a, b, lo))
         a, b, lo = by_parts
+    if t.at < len(t.words):
+        t.reals(n + others - 1)
     t.end()
     return a, b, lo, [INF] * n, None
 
@@ -211,11 +218,51 @@ def lower(d, m):
     return [0.0, *[-INF] * (d - 1)] * m
 
 
+def coupled(d, mu, model):
+    """The row that each row is bounded by, its coefficient, and the law, of contacts of d rows; none without contacts."""
+    if not mu:
+        return None
+    index = [-1 if k == 0 else d * contact for contact in range(len(mu)) for k in range(d)]
+    return index, [0.0 if k == 0 else own for own in mu for k in range(d)], model
+
+
+def cone_of(d):
+    return "coulomb-cone" if d == 3 else None
+
+
 def local(t):
     d, m = contacts(t)
     a, b, mu = t.square(d * m), t.reals(d * m), t.reals(m)
     t.end(has_flag=True)
-    return a, b, lower(d, m), [INF] * (d * m), mu
+    return a, b, lower(d, m), [INF] * (d * m), coupled(d, mu, cone_of(d))
+
+
+def cones(t):
+    n, m = t.wholes(2)
+    a, b = t.square(n), t.reals(n)
+    need(m and n == 3 * m and t.wholes(m + 1) == list(range(0, n + 1, 3)))
+    tau = t.reals(m)
+    t.end(has_flag=True)
+    return a, b, lower(3, m), [INF] * n, coupled(3, tau, "associated-cone")
+
+
+def generic(t):
+    need(t.words[:1] == ["1"])
+    a = t.matrix()
+    n = len(a)
+    need(n and all(len(row) == n for row in a))
+    b, lo, index, mu = t.reals(n), [], [], []
+    for end in t.row_ends:
+        first = len(lo)
+        rows, kind = end - first, t.whole()
+        need(kind in (0, 2) or kind == 4 and rows == 3)
+        lo += {0: [0.0] * rows, 2: [-INF] * rows, 4: [0.0, -INF, -INF]}[kind]
+        own = t.reals(1)[0] if kind == 4 else 0.0
+        index += [first if kind == 4 and k else -1 for k in range(rows)]
+        mu += [own if kind == 4 and k else 0.0 for k in range(rows)]
+    t.end()
+    has_contacts = any(i >= 0 for i in index)
+    return a, b, lo, [INF] * n, (index, mu, "coulomb-cone") if has_contacts else None
 
 
 def solved(m, right):
@@ -247,10 +294,10 @@ def global_(t):
 
     n = d * m
     a = [[product(i, j) for j in range(n)] for i in range(n)]
-    return a, [product(i, n) + Q(b[i]) for i in range(n)], lower(d, m), [INF] * n, mu
+    return a, [product(i, n) + Q(b[i]) for i in range(n)], lower(d, m), [INF] * n, coupled(d, mu, cone_of(d))
 
 
-KINDS = [lcp, relay, mixed, local, global_]
+KINDS = [lcp, relay, mixed, local, global_, cones, generic]
 
 
 def kinds(words):
@@ -280,7 +327,7 @@ def dense(a, n):
 
 
 def differences(kind, expected, found):
-    a, b, lo, hi, mu = expected
+    a, b, lo, hi, friction = expected
     n = len(b)
     bound = [[{"inf": INF, "-inf": -INF}.get(v, v) for v in found[key]] for key in ("lo", "hi")]
     matrix = [[*row, v] for row, v in zip(dense(found["A"], n), found["b"])]
@@ -292,12 +339,10 @@ def differences(kind, expected, found):
                 yield f"row {i}, column {j}: {matrix[i][j]}, not {float(v)}"
     if bound != [lo, hi]:
         yield f"bounds {bound}, not {[lo, hi]}"
-    d = n // len(mu) if mu else 1
-    index = [-1 if i % d == 0 else i - i % d for i in range(n)] if mu else None
-    rows = [0.0 if i % d == 0 else mu[i // d] for i in range(n)] if mu else None
+    index, rows, model = friction or (None, None, None)
     if (found.get("friction_index"), found.get("mu")) != (index, rows):
         yield "another friction"
-    if found.get("model") != ("coulomb-cone" if d == 3 else None):
+    if found.get("model") != model:
         yield f"another model, {found.get('model')}"
 
 

@@ -86,7 +86,13 @@ pub fn prove(question: &Question, answer: &[f64]) -> ProofSearch {
     };
     for kind in Kind::ALL.into_iter().filter(is_tried) {
         match prover.proof(kind) {
-            Ok(proof) => return ProofSearch { proof: Some(proof), missing },
+            Ok(proof) => {
+                if kind == Kind::NotUnique {
+                    let unique = missing.iter_mut().filter(|(kind, _)| *kind == Kind::Unique);
+                    unique.for_each(|(_, reason)| *reason = "there are several solutions".into());
+                }
+                return ProofSearch { proof: Some(proof), missing };
+            }
             Err(reason) => missing.push((kind, reason)),
         }
     }

@@ -281,52 +281,6 @@ fn answers_to_cones_and_polygons_are_accepted_under_their_own_law() {
     }
 }
 
-/// Five contacts of which the fourth carries 3e-11: its active set {0, 1, 3, 4} is exact.
-#[test]
-fn an_exact_solution_is_found_next_to_a_load_of_almost_nothing() {
-    let a: [&[f64]; 5] = [
-        &[
-            0.13550234981836556,
-            0.04066953618190222,
-            0.06146163396696891,
-            -0.1345599158951177,
-            0.06725874818117743,
-        ],
-        &[
-            0.04066953618190222,
-            0.2210787919061224,
-            0.21374478903115854,
-            0.03324021755241007,
-            0.10226679320976667,
-        ],
-        &[
-            0.06146163396696891,
-            0.21374478903115854,
-            0.2528588704896322,
-            -0.038542732861080974,
-            0.01752100103384186,
-        ],
-        &[
-            -0.1345599158951177,
-            0.03324021755241007,
-            -0.038542732861080974,
-            0.5205142012354109,
-            0.06029121807104228,
-        ],
-        &[
-            0.06725874818117743,
-            0.10226679320976667,
-            0.01752100103384186,
-            0.06029121807104228,
-            0.2556510771528078,
-        ],
-    ];
-    let b = [-0.0981, -0.0981, -0.0981, 0.06163207755851065, -0.0981];
-    let solved = json(&problem(&a, &b, ""), &["solve", "-", "--solver", "dantzig"]);
-    assert_eq!(solved["verdict"], "proved", "{solved}");
-    assert!(solved["distance"].as_f64().unwrap() < 1e-15, "{solved}");
-}
-
 /// A proof with a negative distance is no proof file: one line, exit code 2.
 #[test]
 fn a_proof_with_a_negative_distance_is_rejected_in_one_line() {

@@ -76,7 +76,8 @@ fn the_results_are_the_same_every_time_but_for_the_clock() {
 fn the_top_of_the_page_names_the_cheapest_method_and_shows_the_cost_of_each() {
     let document = view::document(&small()).unwrap();
     let page = document.page.render().unwrap();
-    let from = page.find("For 2 boxes, mass ratio 3, dantzig is the cheapest solver").unwrap();
+    let from =
+        page.find("For a stack of 2 boxes, mass ratio 3, dantzig is the cheapest solver").unwrap();
     let words = &page[from..from + page[from..].find("</p>").unwrap()];
     assert!(words.contains("it needs"), "{words}");
     assert!(words.contains("4 of 4 solvers reach"), "{words}");

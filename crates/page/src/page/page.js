@@ -4,7 +4,7 @@ const root = document.documentElement;
 root.classList.add("live");
 const remembered = (use) => { try { return use(localStorage); } catch { return null; } }; // a browser may forbid it
 
-{ // The button turns the colours, for all pages of lcplab at this address; until then the reader's own preference holds.
+{ // The button turns the colors, for all pages of lcplab at this address; until then the reader's own preference holds.
   const kept = remembered((store) => store.getItem("lcplab-theme"));
   if (kept) root.dataset.theme = kept;
   const button = document.querySelector(".theme"), prefers = matchMedia("(prefers-color-scheme: dark)");

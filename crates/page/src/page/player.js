@@ -189,7 +189,7 @@ function stage(animation, recording, pane) {
   };
   const poses = recording.poses.map((channels) => channels.map(grown));
   const heats = recording.heat.map(grown);
-  // The parts of a body, as red as it is if colour says how much.
+  // The parts of a body, as red as it is if color says how much.
   const parts = (k, now) => heats.length > 0
     ? animation.bodies[k].map((part) => part.fixed ? part : { ...part, color: animation.heat[heats[k][now]], plain: false })
     : animation.bodies[k];
@@ -375,8 +375,8 @@ function ball(animation, body, q, [x, y], radius) {
   return discs.join("") + circles.join("") + disc([x, y], radius, 'fill="none"');
 }
 
-const stroke = (colour, width, ends) =>
-  `<path fill="none" stroke-linecap="round" stroke="${colour}" stroke-width="${width.toFixed(2)}" d="M${joined(ends)}"/>`;
+const stroke = (color, width, ends) =>
+  `<path fill="none" stroke-linecap="round" stroke="${color}" stroke-width="${width.toFixed(2)}" d="M${joined(ends)}"/>`;
 
 function capsule(animation, color, radius, ends) {
   const inner = Math.max(radius - 0.7, 0.5 * radius);

@@ -13,10 +13,10 @@ const G: f64 = 9.81;
 const SUMMED: (f64, &str) = (1e-6, "the tolerance of the solver, accumulated over the steps");
 const SUBSTEPS: (f64, &str) =
     (1e-6, "rounding errors of position differences divided by the substep");
-/// Across the change ω × I ω of the angular momentum I ω, see [`off_center`].
-const ALONG: (f64, &str) = (
+/// Under XPBD, about an axis across ω × L.
+const ACROSS: (f64, &str) = (
     1e-6,
-    "the brick turns about an axis that is not parallel to its angular momentum, which a step changes slightly",
+    "a substep changes the angular momentum along ω × L, that is about x; about the other axes the change is of higher order",
 );
 
 /// The speed after a damped contact.
@@ -319,7 +319,7 @@ pub(super) fn off_center(size: Size) -> Result<Vec<Row>> {
             let what = format!("angular momentum about {axis} after the impact");
             match (scheme, axis) {
                 (Scheme::Xpbd, "x") => Known::order(1.0, what, formula, "N m s", value),
-                (Scheme::Xpbd, _) => Known::exact(ALONG, what, formula, "N m s", value),
+                (Scheme::Xpbd, _) => Known::exact(ACROSS, what, formula, "N m s", value),
                 (Scheme::Acceleration, _) => Known::order(2.0, what, formula, "N m s", value),
                 _ => Known::exact(ROUNDING, what, formula, "N m s", value),
             }

@@ -77,7 +77,7 @@ fn answer(
         )
     });
     format!(
-        "**For {}, {} is the cheapest solver:** it needs {}{compared}.{why} *{}* needs {}, {} times the \
+        "**For a stack of {}, {} is the cheapest solver:** it needs {}{compared}.{why} *{}* needs {}, {} times the \
          work of *{}*. {solved} of {tried} solvers reach a scaled residual of {} at this size ({} rows), and \
          the judge accepts their answers.",
         progress.problem,
@@ -133,7 +133,7 @@ fn choice(choices: &[&Progress]) -> Table {
     };
     Table::new(
         "Which solver for which stack",
-        "*cost*: multiplications until the residual is within the tolerance, divided by those of one sweep of *pgs*; a \
+        "*mass ratio*: that of the top box to each of the others. *cost*: multiplications until the residual is within the tolerance, divided by those of one sweep of *pgs*; a \
          typical budget is 10. *next*: the second cheapest solver. *unsupported*: the part of the total weight that ten sweeps of *pgs* leave \
          unsupported. *solvers that fail*: those that do not reach the tolerance within the maximum number of \
          iterations. A stack is a hard case for sweeps and has redundant contacts.",

@@ -9,7 +9,8 @@ pub(super) fn show(factors: &[&Factor], document: &mut ReportPage) {
         factors.iter().flat_map(|factor| factor.ordered.iter().map(|own| cells(factor, own)));
     let table = Table::new(
         "Entries of the factor by ordering",
-        "*A*: entries that are not 0, on and below the diagonal. *L*: entries of the factor, including the \
+        "*A*: entries that are not 0, on and below the diagonal; the steps before are solved by Dantzig's method, because \
+         the errors of an iterative solver would turn zeros into small entries. *L*: entries of the factor, including the \
          diagonal. If A is singular, as with redundant contacts, the pattern is that of a factor of \
          $A + \\varepsilon I$. *fill*: entries of L divided by those of A; the smallest value of each scene is marked. \
          *work*: multiplications of the factorization.",

@@ -39,7 +39,7 @@ use sweeper::Sweeper;
 pub enum Kernel {
     /// One row after the other, constraints first, then contacts.
     RowByRow,
-    /// Eight pairs of bodies at a time, colour by colour.
+    /// Eight pairs of bodies at a time, color by color.
     SimdPairs {
         /// On how many threads; the bits are the same with any number.
         threads: usize,
