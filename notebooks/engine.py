@@ -129,7 +129,7 @@ def dantzig(A, b):
             length, i = min(ends)
             x, w = x + length * d, w + length * v
             F[i] = not F[i]  # this row changes sides
-            (w if F[i] else x)[i] = 0.0
+            (w if F[i] else x)[i] = 0.0  # exactly, without rounding
     return x
 
 

@@ -10,6 +10,7 @@
 //! ```python                    a cell in Python; after an open cell in Rust: the same in Python
 //! ```output                    what the Python cell above it prints
 //! ```text                      anything else in fences belongs to the prose
+//! <details> … </details>       a fold, which can contain cells: the answer to a prediction
 //! ```
 //!
 //! The build script uses the same code to turn the Rust cells of notebooks into programs. The tests

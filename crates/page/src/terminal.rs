@@ -59,7 +59,7 @@ fn titled(table: &Table, rows: &str, same: &[(String, String)]) -> String {
     let mut out = format!("{}\n{rows}", table.title);
     if !same.is_empty() {
         let said: Vec<String> =
-            same.iter().map(|(title, value)| format!("{title} {value}")).collect();
+            same.iter().map(|(title, value)| format!("{title} = {value}")).collect();
         out += &paragraph(&format!("The same in every row: {}.", said.join(", ")));
     }
     if !table.how_to_read.is_empty() {

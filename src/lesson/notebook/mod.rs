@@ -1,5 +1,6 @@
 //! Writes a notebook and its output as a Jupyter notebook (nbformat 4.5), for Python or for Rust.
 
+mod fold;
 mod kernel;
 mod python;
 mod rust;
@@ -11,7 +12,8 @@ use serde_json::{Value, json};
 use super::show::lined;
 
 /// The text of an `.ipynb` file: its cells in order, and the metadata for a kernel.
-fn file(mut cells: Vec<Value>, metadata: &Value) -> String {
+fn file(cells: Vec<Value>, metadata: &Value) -> String {
+    let mut cells = fold::folded(cells);
     for (k, cell) in cells.iter_mut().enumerate() {
         cell["id"] = json!(format!("cell-{k}"));
     }

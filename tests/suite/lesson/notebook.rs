@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use lcplab::lesson::source::{Part, Source};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::{pages, run, written};
 
@@ -43,6 +43,32 @@ fn the_committed_notebooks_are_those_of_the_lessons() {
         let same = fs::read_to_string(&committed).unwrap() == fs::read_to_string(fresh).unwrap();
         assert!(same, "{} is not current: lcplab lesson --all --ipynb", committed.display());
     }
+}
+
+/// Jupyter renders each cell on its own.
+#[test]
+fn a_fold_ends_in_the_cell_where_it_begins_and_hides_the_output_of_its_code() {
+    let mut hidden = 0;
+    for source in notebooks("md") {
+        let notebook = fs::read_to_string(source.with_extension("ipynb")).unwrap();
+        let notebook: Value = serde_json::from_str(&notebook).unwrap();
+        for cell in notebook["cells"].as_array().unwrap() {
+            let lines = cell["source"].as_array().unwrap().iter().filter_map(Value::as_str);
+            let text: String = lines.collect();
+            let place = format!("{}: {text}", source.display());
+            assert_eq!(
+                text.matches("<details>").count(),
+                text.matches("</details>").count(),
+                "{place}"
+            );
+            for name in cell["attachments"].as_object().into_iter().flat_map(Map::keys) {
+                assert!(text.contains(&format!("](attachment:{name})")), "{place} lacks {name}");
+            }
+            hidden += usize::from(cell["metadata"]["jupyter"]["outputs_hidden"] == json!(true));
+        }
+    }
+    // Lessons 6, 9, 12 and 16 have a cell in Python in the answer to a prediction.
+    assert_eq!(hidden, 4);
 }
 
 #[test]

@@ -7,11 +7,12 @@ use std::path::Path;
 
 use lcplab::body::Mass;
 use lcplab::judge::{Demand, judge};
-use lcplab::lcp::library;
+use lcplab::lcp::{Coupling, Lcp, Matrix, library};
 use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
 use lcplab::solver::theory::optimal_omega;
-use lcplab::solver::{Options, Registry, Start};
+use lcplab::solver::{Options, Pgs, Registry, Settings, Solver, Start, all_solutions};
+use lcplab::trace;
 use serde_json::Value;
 
 use super::written;
@@ -154,5 +155,25 @@ fn the_force_of_an_impact_is_m_times_the_speed_over_dt_and_the_weight() {
         scene.states[1].v.z = -v;
         let force = first_force(scene, Scheme::Velocity);
         assert!((force - m * (v / dt + g)).abs() < 1e-9, "dt = {dt}: {force} N");
+    }
+}
+
+/// A contact that slides against t: A of lesson 13 at tan θ = 2, and a push that keeps it sliding.
+#[test]
+fn sweeps_of_the_pulled_rod_of_lesson_11_jump_for_ever_although_it_has_one_answer() {
+    let matrix = Matrix::dense(2, &[1.6, -1.2, -1.2, 3.4]);
+    let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 1.5]);
+    let bounds = (vec![0.0, f64::NEG_INFINITY], vec![f64::INFINITY; 2]);
+    let rod = Lcp::new(matrix, vec![-0.01, 5.0], bounds.0, bounds.1).unwrap();
+    let rod = rod.with_coupling(coupling.unwrap()).unwrap();
+    let answers = all_solutions(&rod).unwrap();
+    assert_eq!(answers.len(), 1);
+    assert!((answers[0][0].to_f64().value() - 0.01 / 3.4).abs() < 1e-15);
+    let mut path = trace::Path::default();
+    let settings = Settings::default().with_tolerance(0.0).with_max_iterations(1000);
+    Pgs { settings, ..Pgs::default() }.solve(&rod, &Start::default(), &mut path);
+    for (sweep, x) in path.points.iter().enumerate() {
+        let expected = if sweep % 2 == 1 { 0.01 / 1.6 } else { 0.0 };
+        assert!((x[0] - expected).abs() < 1e-15, "sweep {sweep}: {x:?}");
     }
 }

@@ -346,7 +346,7 @@ impl Writer {
         if !same.is_empty() {
             let said = same.iter().map(|(title, value)| {
                 let title = self.checked(place, |markup| markup.inline(title));
-                format!("{title} {}", html(value))
+                format!("{title} = {}", html(value))
             });
             let said: Vec<String> = said.collect();
             how_to_read += &format!(" The same in every row: {}.", said.join(", "));

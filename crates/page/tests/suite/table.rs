@@ -51,7 +51,7 @@ fn a_page_reads_the_title_of_a_column_of_one_value_as_markup_and_the_value_as_te
     let section = Section { id: "runs".into(), title: "Runs".into(), blocks, ..Section::default() };
     let page = Page { title: "Report".into(), sections: vec![section], ..Page::default() };
     let html = page.render().unwrap();
-    assert!(html.contains("The same in every row: limit (s) a_*b*"), "{html}");
+    assert!(html.contains("The same in every row: limit (s) = a_*b*"), "{html}");
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn a_terminal_marks_bad_cells_and_explains_neither_secondary_nor_empty_columns()
     a      ✗ bad
     b      ✗ bad
     c      ✗ bad
-The same in every row: limit 5 s.
+The same in every row: limit = 5 s.
 limit: of each run.
 ";
     assert_eq!(terminal::table(&table()), words);
