@@ -17,6 +17,7 @@ Examples:
   lcplab export stack --step 50 | lcplab convert - stack.mtx   # also writes stack_b.mtx, …
   lcplab convert dumps/ contact.json        # Chrono's dump_H.dat, dump_Cq.dat, … in a folder
   lcplab convert lcp.txt - --from siconos   # to standard output
+  lcplab convert program.mat program.json --scale 1e-6   # a smaller x is rounding
   lcplab convert --list                     # the formats, their contents and pitfalls
 
 The extensions determine the formats unless --from or --to is given. It is an error if the target format \
@@ -40,6 +41,10 @@ pub struct Convert {
     /// Format of TO
     #[arg(long, value_name = "FORMAT")]
     to: Option<String>,
+    /// State the smallest significant size of x: a row whose terms are smaller is judged as if they
+    /// had this size
+    #[arg(long, value_name = "SIZE")]
+    scale: Option<f64>,
     /// List the formats
     #[arg(long, exclusive = true)]
     list: bool,
@@ -55,8 +60,14 @@ impl Convert {
             print(&ALL.iter().map(description).collect::<String>())?;
             return Ok(Outcome::Good);
         };
-        let problem = files::read_within(source, from, self.memory.max_memory)?;
+        let mut problem = files::read_within(source, from, self.memory.max_memory)?;
         warn(&problem);
+        if let Some(scale) = self.scale {
+            let stated = problem.lcp.with_scale(scale);
+            problem.lcp = stated.map_err(|_| {
+                Error::invalid("--scale", scale.to_string(), "must be finite and not negative")
+            })?;
+        }
         let to = to.or_else(|| Format::of(target));
         if let Some(model) = files::model(&problem) {
             say(&format!("note: {}: the friction model is {model}", source.display()));

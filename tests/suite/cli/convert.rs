@@ -92,3 +92,22 @@ fn a_conversion_that_changes_the_law_of_friction_says_so() {
     let to_output = err(&run_with(&pushed(), &["convert", "-", "-", "--to", "siconos"]));
     assert!(to_output.contains("warning: -: siconos means coulomb-cone"), "{to_output}");
 }
+
+/// In exact numbers the minimum lies at x = y = 0 up to a rounding error that the file contains.
+#[test]
+fn a_stated_scale_accepts_a_program_with_rounding_errors_in_its_limits() {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/crates/files/tests/problems/exchange/matlab/rounding.mat"
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    std::fs::write(path("zero.json"), r#"{"x": [0, 0, 0, 0]}"#).unwrap();
+    let judged = |problem: &str| run(&["judge", problem, &path("zero.json")]).status.code();
+    assert_eq!(judged(file), Some(1));
+    run(&["convert", file, &path("scaled.json"), "--scale", "1e-6"]);
+    assert_eq!(judged(&path("scaled.json")), Some(0));
+    let negative = run(&["convert", file, &path("other.json"), "--scale=-1"]);
+    assert_eq!(negative.status.code(), Some(2));
+    assert!(err(&negative).contains("--scale: -1: must be finite and not negative"));
+}

@@ -9,6 +9,7 @@ use crate::multipliers::{Multipliers, Row, label, limit};
 use crate::table::{Table, parts};
 use lcplab_lcp::error::Result;
 use lcplab_lcp::file::{Entries, Parts, Problem};
+use lcplab_lcp::number::counted;
 
 /// The variables of a quadratic program with constraints between two limits.
 const BETWEEN: [&str; 8] = ["P", "q", "A", "l", "u", "r", "n", "m"];
@@ -42,6 +43,10 @@ pub(super) fn problem(mut variables: Variables, name: String, input: &str) -> Re
     }
 }
 
+/// Limits below this fraction of the largest one are probably rounding errors of a zero: they are
+/// ten thousand times as far below the largest as the solutions of most programs are accurate.
+const ROUNDING: f64 = 1e-12;
+
 /// A quadratic program: min ½ xᵀP x + qᵀx with rows and bounds.
 struct Program {
     p: Vec<(usize, usize, f64)>,
@@ -66,12 +71,32 @@ impl Program {
         };
         let mut problem = Problem::new(name, parts.into_lcp().map_err(|e| e.within(input))?);
         problem.extra.insert("objective".into(), true.into());
+        problem.warnings.extend(rounding(&self.rows).map(|reason| format!("{input}: {reason}")));
         if !added.labels.is_empty() {
             let columns = (0..n).map(|j| label(&format!("x[{j}]"), "column"));
             problem.extra.insert("rows".into(), columns.chain(added.labels).collect());
         }
         Ok(problem)
     }
+}
+
+/// What is said of rows whose limits are rounding errors: no x satisfies such a row relative to the
+/// row's own size if all its other terms are 0.
+fn rounding(rows: &[Row]) -> Option<String> {
+    let size = |row: &Row| -> f64 {
+        let finite = row.limits.iter().filter(|limit| limit.is_finite());
+        finite.fold(0.0, |most, limit| most.max(limit.abs()))
+    };
+    let largest = rows.iter().map(size).fold(0.0, f64::max);
+    let is_rounding = |row: &&Row| size(row) > 0.0 && size(row) < ROUNDING * largest;
+    let first = rows.iter().find(is_rounding)?;
+    let count = counted(rows.iter().filter(is_rounding).count(), "row");
+    Some(format!(
+        "{count} with limits that are probably rounding errors of 0, such as {:.1e} of {}; \
+         `lcplab convert --scale` states below which size x does not matter",
+        size(first),
+        first.name
+    ))
 }
 
 /// Takes variables from a file.

@@ -49,6 +49,16 @@ fn inequalities_equations_and_bounds_are_those_of_qpsolvers() {
     assert_proved(&problem.lcp, &[1.25, 0.75, 2.0, -1.5, 4.0]);
 }
 
+/// x − y/3 = 2⁻⁵⁴ stands in the file, and the minimum is at 0.
+#[test]
+fn limits_that_are_rounding_errors_of_zero_are_named() {
+    let path = sample("matlab/rounding.mat");
+    let warnings = files::read(&path, None).unwrap().warnings;
+    let words = "1 row with limits that are probably rounding errors of 0, such as 5.6e-17 of A[0]";
+    assert!(warnings.len() == 1 && warnings[0].contains(words), "{warnings:?}");
+    assert!(read("between").warnings.is_empty());
+}
+
 /// The problem that NumPy wrote: the upper triangle of tridiag(-1, 2, -1) with a third.
 #[test]
 fn an_lcp_has_the_numbers_of_the_same_npz() {

@@ -62,6 +62,10 @@ separate = dict(
 os.makedirs("matlab", exist_ok=True)
 scipy.io.savemat("matlab/between.mat", between, do_compression=True)
 scipy.io.savemat("matlab/separate.mat", separate, do_compression=False)
+# min x² + y² + x + y with x − y/3 = 0, x + y ≤ 26 and x, y ≥ 0; the 0 was computed, and is a rounding error.
+rounding = dict(P=2 * np.eye(2), q=np.ones(2), A=np.array([[1, -1 / 3], [1, 1], [1, 0], [0, 1]]))
+rounding |= dict(l=np.array([2.0**-54, -np.inf, 0, 0]), u=np.array([2.0**-54, 26, np.inf, np.inf]))
+scipy.io.savemat("matlab/rounding.mat", rounding, do_compression=True)
 scipy.io.savemat("matlab/lcp.mat", dict(A=U, b=b, lo=lo, hi=hi), do_compression=True)
 small = dict(A=np.array([[2, -1], [-1, 300]], dtype=np.int16), b=np.array([-1, 2], dtype=np.int8))
 scipy.io.savemat("matlab/integers.mat", small)
