@@ -23,6 +23,7 @@ mod pdf;
 mod plugin;
 mod problem;
 mod proof;
+mod proof_page;
 mod receipts;
 mod renamed;
 mod report;

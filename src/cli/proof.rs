@@ -7,15 +7,14 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lcp::Question;
 use lcplab::lcp::exact::SolutionSet;
-use lcplab::lcp::file::{Problem, read_answer};
+use lcplab::lcp::file::read_answer;
 use lcplab::lcp::friction::{Form, Model, ProblemForm};
-use lcplab::page::{self, Block, Page, Section};
 use lcplab::proof::{Kind, Proof, ProofSearch, check, prove, prove_kind};
 use lcplab::report::answer::first_answer;
 use serde_json::json;
 
 use super::limits::MemoryLimit;
-use super::{Outcome, print, read_problem, say, solutions};
+use super::{Outcome, print, proof_page, read_problem, say, solutions};
 
 /// Write the strongest proof about a problem, in exact arithmetic, as a file that others can check
 #[derive(Debug, Args)]
@@ -130,7 +129,7 @@ impl Prove {
         match &self.out {
             Some(path) => {
                 let is_page = path.extension().is_some_and(|ending| ending == "html");
-                let page = || page_of(&question, &proof, &missing, &text).render();
+                let page = || proof_page::page(&question, &proof, &missing, &text).render();
                 file::write(path, if is_page { page()? } else { text.clone() })?;
                 print(&format!("{}: {}\n", proof.claim.kind(), proof.sentence()))?;
             }
@@ -148,44 +147,6 @@ impl Prove {
         })?;
         print(&if self.json { solutions::to_json(&set) } else { solutions::words(&set) })?;
         Ok(if set.corners.is_empty() { Outcome::Refuted } else { Outcome::Good })
-    }
-}
-
-/// A page with the proof and a button that checks it.
-fn page_of(question: &Question, proof: &Proof, missing: &[(Kind, String)], text: &str) -> Page {
-    // The page's checker reads the problem under the requested model.
-    let problem = &Problem { model: question.model(), ..question.problem().clone() };
-    let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
-    let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
-    let claim = Block::Proof(page::Proof {
-        problem: problem.to_json().to_string(),
-        claim: proof.sentence(),
-        text: text.to_string(),
-    });
-    let how = "The button runs a checker that is part of this page. It uses integer arithmetic and shares no code with \
-               lcplab; its source is at the end of this file. The page contains the problem and the proof.";
-    let mut blocks = vec![claim, Block::Note(how.into())];
-    if !missing.is_empty() {
-        let reasons: String = reasons.collect();
-        blocks.push(Block::Text(format!(
-            "Stronger statements, and why they are not proved:\n\n{reasons}"
-        )));
-    }
-    let rows = problem.lcp.len();
-    Page {
-        title: format!("A proof about {name}"),
-        lead: format!(
-            "**Proved: {}.** This is the strongest statement that lcplab proves about this complementarity \
-             problem of {rows} rows.",
-            proof.sentence()
-        ),
-        sections: vec![Section {
-            id: "proof".into(),
-            title: "The proof".into(),
-            blocks,
-            ..Section::default()
-        }],
-        ..Page::default()
     }
 }
 

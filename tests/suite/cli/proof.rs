@@ -101,6 +101,34 @@ fn a_page_of_a_proof_contains_the_problem_under_the_given_model() {
     );
 }
 
+/// x₀ + x₁ = 1 for every solution of `cps-1`; around the ring of `wedged` all rows add up to −4.
+#[test]
+fn a_page_of_a_proof_shows_both_solutions_or_the_vector() {
+    let folder = tempfile::tempdir().unwrap();
+    let cells = |family: &str| -> Vec<Vec<String>> {
+        let [problem, page] = ["p.json", "p.html"].map(|name| folder.path().join(name));
+        let [problem, page] = [&problem, &page].map(|path| path.to_str().unwrap());
+        run(&["problems", family, "--out", problem]);
+        run(&["prove", problem, "--out", page]);
+        let html = fs::read_to_string(page).unwrap();
+        let rows = html.split("<tr").skip(2).map(|row| row.split("</tr>").next().unwrap());
+        let cell =
+            |cell: &str| cell.split('>').nth(1).unwrap().split('<').next().unwrap().to_string();
+        rows.map(|row| row.split("<td").skip(1).map(cell).collect()).collect()
+    };
+    let points = cells("cps-1");
+    let value = |text: &str| match text.split_once('/') {
+        Some((a, b)) => a.parse::<f64>().unwrap() / b.parse::<f64>().unwrap(),
+        None => text.parse().unwrap(),
+    };
+    assert_eq!(points.len(), 2);
+    for column in [1, 3] {
+        assert_eq!(value(&points[0][column]) + value(&points[1][column]), 1.0);
+    }
+    assert_ne!(points[0][1], points[0][3]);
+    assert_eq!(cells("wedged").len(), 4);
+}
+
 #[test]
 fn a_cone_is_explained_as_a_cone_and_judged_as_one() {
     let (_folder, problem, _) = folder(CONE);

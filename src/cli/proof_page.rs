@@ -1,0 +1,175 @@
+//! The page of a proof: its claim, a button that checks it, its numbers, and what is not proved.
+
+use dashu_ratio::RBig;
+use lcplab::lcp::file::Problem;
+use lcplab::lcp::{Lcp, Question};
+use lcplab::number::readable;
+use lcplab::page::{self, Block, Cell, Page, Section, Table};
+use lcplab::proof::{Claim, Entry, Kind, Proof, Reason, Tree, Vector};
+
+/// Maximum number of rows of a table; the proof file has all of them.
+const SHOWN: usize = 24;
+/// Longer fractions are shown as decimals.
+const LONGEST: usize = 14;
+
+/// The page; `text` is the proof file.
+pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text: &str) -> Page {
+    // The page's checker reads the problem under the requested model.
+    let problem = &Problem { model: question.model(), ..question.problem().clone() };
+    let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
+    let claim = Block::Proof(page::Proof {
+        problem: problem.to_json().to_string(),
+        claim: proof.sentence(),
+        text: text.to_string(),
+    });
+    let how = "The button runs a checker that is part of this page. It uses integer arithmetic and shares no code with \
+               lcplab; its source is at the end of this file. The page contains the problem and the proof.";
+    let section = |id: &str, title: &str, blocks| Section {
+        id: id.into(),
+        title: title.into(),
+        blocks,
+        ..Section::default()
+    };
+    let mut sections = vec![section("proof", "The proof", vec![claim, Block::Note(how.into())])];
+    let numbers = numbers(problem, &proof.claim);
+    if !numbers.is_empty() {
+        sections.push(section("numbers", "What the proof consists of", numbers));
+    }
+    if !missing.is_empty() {
+        let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
+        let reasons = vec![Block::Text(reasons.collect())];
+        sections.push(section(
+            "missing",
+            "Stronger statements, and why they are not proved",
+            reasons,
+        ));
+    }
+    let rows = problem.lcp.len();
+    Page {
+        title: format!("A proof about {name}"),
+        lead: format!(
+            "**Proved: {}.** This is the strongest statement that lcplab proves about this complementarity \
+             problem of {rows} rows.",
+            proof.sentence()
+        ),
+        sections,
+        ..Page::default()
+    }
+}
+
+/// Why the claim holds, in words and numbers.
+fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
+    let solutions = |points: &[&Vector], why: &str| {
+        vec![Block::Text(why.into()), Block::Table(points_table(problem, points))]
+    };
+    match claim {
+        Claim::Solution { x, .. } => solutions(
+            &[x],
+            "In each row x is at its lower bound and w ≥ 0, at its upper bound and w ≤ 0, or between \
+             them and w = 0. The numbers are exact.",
+        ),
+        Claim::Unique { x, by: Reason::Definite } => solutions(
+            &[x],
+            "If x and y were two solutions, (x − y)ᵀ A (x − y) would not be positive. But A + Aᵀ is \
+             positive definite: all pivots of its elimination in exact arithmetic are positive.",
+        ),
+        Claim::Unique { x, by: Reason::PMatrix } => solutions(
+            &[x],
+            "All principal minors of A are positive, so the problem has exactly one solution for every b.",
+        ),
+        Claim::NotUnique { x, y } => solutions(
+            &[x, y],
+            "Both x and y satisfy the conditions of every row in exact arithmetic, and they differ.",
+        ),
+        Claim::NoSolution { tree: Tree::Leaf(d) } => vec![
+            Block::Text(
+                "Multiply each row by its d and add: the sum Σ d w is negative for every x within the bounds. \
+                 But d is positive only where w ≥ 0 is required and negative only where w ≤ 0 is \
+                 required, so for a solution the sum would not be negative."
+                    .into(),
+            ),
+            Block::Table(vector_table(problem, d)),
+        ],
+        Claim::NoSolution { tree } => vec![Block::Text(format!(
+            "Each row of a solution is at its lower bound, at its upper bound or free. The proof \
+             distinguishes these cases row by row, and a vector as in a proof by one Farkas vector \
+             excludes each of the {} cases.",
+            tree.leaves()
+        ))],
+        Claim::ConeSolution { .. }
+        | Claim::Motion(_)
+        | Claim::FrozenMotion(_)
+        | Claim::Within { .. } => Vec::new(),
+    }
+}
+
+fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
+    let lcp = &problem.lcp;
+    let points: Vec<Vec<RBig>> = points.iter().map(|point| values(lcp, point)).collect();
+    let names = ["x", "y"];
+    let mut headings = "row".to_string();
+    for name in &names[..points.len()] {
+        headings += &format!(" | #{name} | #w at {name}");
+    }
+    let rows = (0..lcp.len()).take(SHOWN).map(|i| {
+        let of = |x: &Vec<RBig>| [fraction(&x[i]), fraction(&w(lcp, x, i))].map(Cell::text);
+        [vec![Cell::text(label(problem, i))], points.iter().flat_map(of).collect()].concat()
+    });
+    let title = if points.len() == 1 { "The solution" } else { "Two solutions" };
+    Table::new(title, more(lcp.len()), &headings, rows.collect())
+}
+
+fn vector_table(problem: &Problem, d: &[(usize, dashu_int::IBig)]) -> Table {
+    let row = |(i, d): &(usize, dashu_int::IBig)| {
+        let value = fraction(&RBig::from(d.clone()));
+        vec![Cell::text(label(problem, *i)), Cell::text(value)]
+    };
+    let rows = d.iter().take(SHOWN).map(row).collect();
+    Table::new("The Farkas vector; its other entries are 0", more(d.len()), "row | #d", rows)
+}
+
+fn more(rows: usize) -> String {
+    let rounded = "Long fractions are rounded here, not in the proof.";
+    match rows.saturating_sub(SHOWN) {
+        0 => rounded.into(),
+        more => format!("{rounded} The proof file contains {more} more rows."),
+    }
+}
+
+/// The row's number, and its label if the file has one.
+fn label(problem: &Problem, i: usize) -> String {
+    let label = problem.extra.get("rows").and_then(|rows| rows.get(i)?.get("label")?.as_str());
+    label.map_or(i.to_string(), |label| format!("{i}: {label}"))
+}
+
+/// The entries of x; a bound of a friction row depends on its normal row.
+fn values(lcp: &Lcp, x: &Vector) -> Vec<RBig> {
+    let denominator = RBig::from(x.denominator.clone());
+    let own = |i: usize| match &x.entries[i] {
+        Entry::Numerator(numerator) => RBig::from(numerator.clone()) / &denominator,
+        Entry::Lo => exact(lcp.lo()[i]),
+        Entry::Hi => exact(lcp.hi()[i]),
+    };
+    let coupled = |i: usize| lcp.coupling().and_then(|own| Some((own.index(i)?, own.mu(i))));
+    let value = |i: usize| match (coupled(i), &x.entries[i]) {
+        (Some((k, mu)), Entry::Lo) => -exact(mu) * own(k),
+        (Some((k, mu)), Entry::Hi) => exact(mu) * own(k),
+        _ => own(i),
+    };
+    (0..x.entries.len()).map(value).collect()
+}
+
+/// w_i = Σ_j a_ij x_j + b_i.
+fn w(lcp: &Lcp, x: &[RBig], i: usize) -> RBig {
+    let products = lcp.matrix().row(i).iter().map(|(j, a)| exact(a) * &x[j]);
+    products.fold(exact(lcp.b()[i]), |sum, product| sum + product)
+}
+
+fn exact(value: f64) -> RBig {
+    RBig::try_from(value).unwrap_or_default()
+}
+
+fn fraction(value: &RBig) -> String {
+    let text = value.to_string();
+    if text.len() > LONGEST { readable(value.to_f64().value(), 7) } else { text }
+}
