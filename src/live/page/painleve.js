@@ -36,7 +36,7 @@ function drawMap() {
   if (lift < 75) picture += word(2.45, (lift + 80) / 2, "two");
   for (const mu of [0, 1, 2, 3]) picture += svg("text", { x: toMap(mu, 0)[0] - 4, y: bottom + 18, class: "faint" }, mu);
   for (const theta of [30, 60, 90]) picture += svg("text", { x: 10, y: toMap(0, theta)[1] + 5, class: "faint" }, `${theta}°`);
-  picture += svg("text", { x: right - 12, y: bottom - 8 }, "μ") + svg("text", { x: left + 6, y: top + 14 }, "θ");
+  picture += svg("text", { x: right - 6, y: bottom - 8, "text-anchor": "end" }, "friction μ") + svg("text", { x: left + 6, y: top + 16 }, "angle θ");
   const [cx, cy] = toMap(state.mu, state.theta);
   picture += svg("circle", { cx, cy, r: 9, class: "handle", id: "here" });
   const focus = document.activeElement?.id;
@@ -68,11 +68,20 @@ function drawRod() {
   });
   if (state.step === 0) picture += arrow([low[0], low[1] + 14], -40, 0, "push slip") + svg("text", { x: low[0] - 60, y: low[1] + 34, class: "faint" }, "slides");
   find("#rod").innerHTML = picture;
-  const most = Math.max(0.1, ...frames.map(({ slip }) => Math.abs(slip))), at = (k) => [20 + k / FRAMES * 390, 60 + frames[k].slip / most * 50];
-  let chart = svg("line", { x1: 20, x2: 410, y1: 60, y2: 60, class: "axis" });
+  drawSlip();
+}
+
+// The speed at which the lower end slides to the left, over time.
+function drawSlip() {
+  const [left, right, top, bottom] = [44, 410, 24, 94], speeds = frames.map(({ slip }) => (Math.abs(slip) < 1e-3 ? 0 : -slip));
+  const most = Math.max(0.1, ...speeds), least = Math.min(0, ...speeds), zero = top + (bottom - top) * most / (most - least);
+  const at = (k) => [left + k / FRAMES * (right - left), zero - speeds[k] / most * (zero - top)];
+  let chart = svg("line", { x1: left, x2: right, y1: zero, y2: zero, class: "axis" });
+  chart += svg("text", { x: left - 8, y: top + 5, "text-anchor": "end", class: "faint" }, short(most, 2)) + svg("text", { x: left - 8, y: zero + 5, "text-anchor": "end", class: "faint" }, "0");
+  chart += svg("text", { x: right, y: zero + 20, "text-anchor": "end", class: "faint" }, `time ${short(FRAMES * Number(state.dt))}`);
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
-  const [px, py] = at(state.step);
-  chart += svg("circle", { cx: px, cy: py, r: 5, class: "here" }) + svg("text", { x: 24, y: 16, class: "faint" }, `speed ${short(Math.abs(frames[state.step].slip) < 1e-3 ? 0 : -frames[state.step].slip, 3)}`);
+  const [cx, cy] = at(state.step);
+  chart += svg("circle", { cx, cy, r: 5, class: "here" }) + svg("text", { x: right, y: 14, "text-anchor": "end" }, `sliding speed ${short(speeds[state.step], 3)}`);
   find("#slip").innerHTML = chart;
 }
 
