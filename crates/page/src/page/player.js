@@ -5,7 +5,7 @@ function play(root) {
   const find = (name) => root.querySelector(name);
   const [range, clock, button] = [find(".scrub"), find(".clock"), find(".play")];
   const last = animation.times.length - 1;
-  const stages = [...root.querySelectorAll(".pane")].map((pane, k) => stage(animation, animation.recordings[k], pane));
+  const stages = [...root.querySelectorAll(".pane")].map((pane, k) => stage(animation, animation.recordings[k], pane, k > 0 && animation.recordings[0]));
   const charts = [...root.querySelectorAll(".chart")].map((svg, m) => chart(animation, m, svg));
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   let now = 0, running = 0;
@@ -179,27 +179,35 @@ function chart(animation, measure, svg) {
   };
 }
 
-// One recording in its pane.
-function stage(animation, recording, pane) {
-  const [bodies, forces, values] = [".bodies", ".acting", ".values"].map((name) => pane.querySelector(name));
+// The running sums of a list of changes, one for each instant.
+function grown(list, count) {
+  let sum = 0;
+  return Array.from({ length: count }, (_, k) => (sum += list[k] || 0));
+}
+
+// Position and rotation of each body of a recording at an instant; null is the world.
+function posed(animation, recording) {
   const count = recording.forces.length;
-  const grown = (list) => {
-    let sum = 0;
-    return Array.from({ length: count }, (_, k) => (sum += list[k] || 0));
-  };
-  const poses = recording.poses.map((channels) => channels.map(grown));
-  const heats = recording.heat.map(grown);
-  // The parts of a body, as red as it is if color says how much.
-  const parts = (k, now) => heats.length > 0
-    ? animation.bodies[k].map((part) => part.fixed ? part : { ...part, color: animation.heat[heats[k][now]], plain: false })
-    : animation.bodies[k];
-  const pose = (body, now) => {
+  const poses = recording.poses.map((channels) => channels.map((list) => grown(list, count)));
+  return (body, asked) => {
     if (body === null) return { p: [0, 0, 0], q: [1, 0, 0, 0] };
-    const at = poses[body].map((channel) => channel[now]);
+    const at = poses[body].map((channel) => channel[Math.min(asked, count - 1)]);
     const q = at.length > 3 ? at.slice(3).map((x) => x * animation.turn) : [1, 0, 0, 0];
     const length = Math.hypot(...q);
     return { p: at.slice(0, 3).map((x) => x * animation.unit), q: q.map((x) => x / length) };
   };
+}
+
+// One recording in its pane, with the outlines of another one's bodies where they differ visibly.
+function stage(animation, recording, pane, other) {
+  const [bodies, ghosts, forces, values] = [".bodies", ".ghosts", ".acting", ".values"].map((name) => pane.querySelector(name));
+  const count = recording.forces.length;
+  const pose = posed(animation, recording), elsewhere = other && posed(animation, other);
+  const heats = recording.heat.map((list) => grown(list, count));
+  // The parts of a body, as red as it is if color says how much.
+  const parts = (k, now) => heats.length > 0
+    ? animation.bodies[k].map((part) => part.fixed ? part : { ...part, color: animation.heat[heats[k][now]], plain: false })
+    : animation.bodies[k];
   const raised = (digits) => digits.replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
   const number = (x) => {
     const small = x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5);
@@ -226,6 +234,7 @@ function stage(animation, recording, pane) {
       : []);
     const solids = animation.bodies.flatMap((_, k) => moved(k)).concat(rods);
     bodies.innerHTML = painted(animation, solids).map((own) => own.draw()).join("") + marks(animation, ends);
+    ghosts.innerHTML = elsewhere ? animation.bodies.map((_, k) => ghost(animation, k, places[k], elsewhere(k, asked))).join("") : "";
     forces.innerHTML = arrows(animation, recording.forces[now]);
     const shown = animation.measures.map((measure, m) =>
       `<span>${measure.name} <b>${number(recording.measures[m][now])}</b> ${measure.unit}</span>`);
@@ -334,6 +343,23 @@ function* planes(animation, a, b) {
     }
   }
 }
+
+// The outline of a body where another recording has it, if it is seen to be apart.
+function ghost(animation, k, own, there) {
+  return animation.bodies[k].map((part) => {
+    const at = ({ p, q }) => part.corners.map((corner) => plus(p, turned(q, corner)));
+    const corners = at(there), spots = corners.map((corner) => place(animation, corner));
+    const apart = at(own).map((corner, i) => Math.hypot(...minus(place(animation, corner), spots[i])));
+    if (part.fixed || Math.max(...apart) < GHOST_APART) return "";
+    if (part.faces.length === 0) return spots.map((spot) => disc(spot, part.radius * animation.scale, 'fill="none"')).join("");
+    return part.faces.map((face) => {
+      const [a, b, c] = face.map((i) => corners[i]);
+      const isSeen = seen(animation, cross(minus(b, a), minus(c, b)))[2] > 0;
+      return isSeen ? `<path fill="none" d="M${joined(face.map((i) => spots[i]))}z"/>` : "";
+    }).join("");
+  }).join("");
+}
+const GHOST_APART = 2; // px
 
 const shade = (color, light) => `rgb(${color.map((c) => Math.round(Math.min(255, c * light))).join()})`;
 const fine = (x) => x.toFixed(1);
