@@ -1,7 +1,12 @@
 //! The animation plays, stops, steps, and goes where it is told to.
 
+use lcplab::animation::{Animation, Recording};
+use lcplab::report::page::{self, Block, Player, Section};
+use lcplab::scene::Scene;
+use lcplab::simulation::{self, Simulation};
 use serde_json::json;
 
+use super::driver::Page;
 use super::sample;
 
 /// The animation and its instant: a hundred steps in eleven instants.
@@ -91,4 +96,35 @@ fn a_drag_turns_the_camera_and_two_clicks_turn_it_back() {
     );
     let found = page.seen(1280, &script);
     assert_eq!(found, json!([[true, true, false], true, false, [true, true, true], true]));
+}
+
+/// A pendulum here, and on the moon.
+fn two_pendulums() -> Page {
+    let scene = Scene::load("pendulum").unwrap();
+    let recording = |name: &str, g: f64| {
+        let mut scene = scene.clone();
+        scene.gravity.z = -g;
+        let solver = simulation::solver(&scene).unwrap();
+        Recording::of(name, &mut Simulation::new(scene, solver), 100, 11)
+    };
+    let recordings = vec![recording("earth", 9.81), recording("moon", 1.62)];
+    let animation = Animation::new("swing", &scene, recordings).drawn();
+    let player = Player { animation, caption: String::new(), files: Vec::new() };
+    let blocks = vec![Block::Player(Box::new(player))];
+    let section =
+        Section { id: "swing".into(), title: "Swing".into(), blocks, ..Section::default() };
+    let page = page::Page { title: "Swing".into(), sections: vec![section], ..Default::default() };
+    Page(page.render().unwrap())
+}
+
+#[test]
+fn bodies_have_outlines_where_the_first_pane_has_them_unless_they_are_there() {
+    let script = "
+        const outlines = () => all('.ghosts', animation).map((pane) => pane.children.length > 0);
+        press(part('.screen'), 'Home');
+        const start = outlines();
+        press(part('.screen'), 'End');
+        return [start, outlines()];";
+    let found = two_pendulums().seen(1280, &format!("{ANIMATION}{script}"));
+    assert_eq!(found, json!([[false, false], [false, true]]));
 }
