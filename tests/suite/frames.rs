@@ -48,14 +48,14 @@ fn a_and_b_follow_from_the_bodies_and_rows() {
     }
 }
 
-/// How many of the frames the default methods solve under a law, or under that of their engine; the
-/// judge accepts each of these answers.
+/// How many of every second frame the default methods solve under a law, or under that of their
+/// engine; the judge accepts each of these answers.
 fn solved(law: Option<Model>) -> usize {
     let settings = Settings::default().with_tolerance(1e-8);
     let options = Options::default().with_settings(settings);
     let demand = Demand { tolerance: 1e-8, prove_up_to: 0 };
     let mut solved = 0;
-    for problem in frames().filter(|problem| problem.lcp.coupling().is_some()) {
+    for problem in frames().filter(|problem| problem.lcp.coupling().is_some()).step_by(2) {
         let friction = problem.friction().unwrap().unwrap();
         let law = law.or_else(|| files::model(&problem)).unwrap();
         let posed = law.pose(&friction, None).unwrap();
@@ -71,12 +71,12 @@ fn solved(law: Option<Model>) -> usize {
 
 #[test]
 fn boxes_that_are_called_solved_are_accepted_and_few_frames_are_left() {
-    assert!(solved(Some(Model::CoupledBox)) >= 45);
+    assert!(solved(Some(Model::CoupledBox)) >= 23); // of 29
 }
 
 #[test]
 fn answers_under_the_law_of_the_engine_are_accepted_and_few_frames_are_left() {
-    assert!(solved(None) >= 56);
+    assert!(solved(None) >= 28); // of 29
 }
 
 /// The reference is for convex programs: the friction laws of MuJoCo and Drake, and boxes.
