@@ -1,9 +1,12 @@
 """Checks a built site: links, reach, policies and, with Chromium and npm's axe-core, pages as they are seen.
 
-`python3 site/check.py FOLDER [MODULES]`, where MODULES holds axe-core and playwright-core."""
+`python3 site/check.py FOLDER [MODULES]`, where MODULES holds axe-core and playwright-core, and lighthouse if pages are
+rated too."""
 
 import functools
+import gzip
 import http.server
+import io
 import json
 import re
 import subprocess
@@ -34,6 +37,16 @@ SEEN = [
     "reports/receipts/index.html",
     "reference/python.html",
     "reference/options.html",
+]
+
+# Pages of which Lighthouse rates the speed and the accessibility: the first one, and one of each kind.
+RATED = [
+    "index.html",
+    "guide/commands.html",
+    "learn/*_sweeping.html",
+    "learn/live/stack.html",
+    "problems/cards/040_*.html",
+    "reports/engines/index.html",
 ]
 
 
@@ -97,26 +110,38 @@ def policies(site: Path) -> None:
 
 
 def seen(site: Path, modules: Path) -> None:
-    """What Chromium shows: accessibility, width, requests, errors, and the answers of the search."""
-    handler = functools.partial(Quiet, directory=str(site))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+    """What Chromium shows: accessibility, width, requests, errors, the answers of the search, and Lighthouse's scores."""
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Server, directory=str(site))) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        addresses = [page.relative_to(site).as_posix() for kind in SEEN for page in site.glob(kind)]
         base = f"http://127.0.0.1:{server.server_address[1]}/"
-        command = [
-            "node",
-            str(HERE / "look.mjs"),
-            str(modules),
-            base,
-            json.dumps(addresses),
-            str(HERE / "questions.json"),
-        ]
-        code = subprocess.run(command).returncode
+
+        def passes(script: str, kinds: list[str], *arguments: str) -> bool:
+            addresses = [page.relative_to(site).as_posix() for kind in kinds for page in site.glob(kind)]
+            command = ["node", str(HERE / script), str(modules), base, json.dumps(addresses), *arguments]
+            return subprocess.run(command).returncode == 0
+
+        good = passes("look.mjs", SEEN, str(HERE / "questions.json"))
+        if (modules / "node_modules/lighthouse").exists():
+            good &= passes("lighthouse.mjs", RATED)
         server.shutdown()
-    sys.exit(code)
+    sys.exit(not good)
 
 
-class Quiet(http.server.SimpleHTTPRequestHandler):
+class Server(http.server.SimpleHTTPRequestHandler):
+    """Compresses text, as servers do."""
+
+    def send_head(self) -> io.BufferedIOBase | None:
+        path = Path(self.translate_path(self.path))
+        if not path.is_file() or path.suffix not in {".html", ".css", ".js", ".mjs", ".svg", ".json"}:
+            return super().send_head()
+        data = gzip.compress(path.read_bytes())
+        self.send_response(200)
+        self.send_header("Content-Type", self.guess_type(path))
+        self.send_header("Content-Encoding", "gzip")
+        self.send_header("Content-Length", str(len(data)))
+        self.end_headers()
+        return io.BytesIO(data)
+
     def log_message(self, *_: object) -> None:
         """Requests are not worth a line each."""
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the site with what CI has built already, and checks it. Reports that take minutes are left out;
-# `site/check.sh full` builds all of it, with the release program, as it is published.
+# `site/check.sh full` builds all of it, with the release program, as it is published, and lets Lighthouse rate pages.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,7 +18,10 @@ python site/build.py --out target/public "${program[@]}" "${rustdoc[@]}" "${pyod
 
 # What a page looks like is checked where there are npm and Chromium.
 if command -v npm >/dev/null && command -v chromium >/dev/null; then
-    npm install --silent --no-fund --no-audit --prefix target/site-modules axe-core@4 playwright-core@1
+    modules=(axe-core@4 playwright-core@1)
+    rm -rf target/site-modules
+    [ "${1:-}" != full ] || modules+=(lighthouse@12)
+    npm install --silent --no-fund --no-audit --prefix target/site-modules "${modules[@]}"
     python site/check.py target/public target/site-modules
 else
     echo "skipped: no npm or no chromium here, so pages are not looked at"
