@@ -1,6 +1,6 @@
 """Compares third-party solvers with lcplab's on the problem set, and writes third_party.md.
 
-    pip install -r examples/plugins/requirements.txt      # Siconos comes from conda or Debian
+    pip install -r examples/plugins/requirements.txt      # Siconos comes from conda, or from Debian, for its Python and numpy<2
     python3 benches/third_party.py [--lcplab target/release/lcplab]
 
 A solver meets an accuracy if one of its runs ends with a claim that the judge accepts and a scaled residual below it; its
@@ -11,6 +11,7 @@ import csv
 import datetime
 import json
 import math
+import os
 import platform
 import re
 import subprocess
@@ -28,6 +29,7 @@ PLUGINS = {  # name of the adapter in examples/plugins: solver, and the package 
     "use_moby": ("Drake, `MobyLcpSolver`", "drake"),
     "use_siconos": ("Siconos, `SICONOS_LCP_LEMKE`", "siconos"),
     "use_quantecon": ("QuantEcon, `lcp_lemke`", "quantecon"),
+    "use_pinocchio": ("Pinocchio, `ADMMConstraintSolver`", "pin"),
     "use_osqp": ("OSQP", "osqp"),
     "use_proxsuite": ("ProxQP", "proxsuite"),
     "use_quadprog": ("quadprog", "quadprog"),
@@ -55,9 +57,12 @@ def main() -> None:
         index = list(csv.DictReader(Path(place, "set/index.csv").open(encoding="utf-8")))
         files = [row["file"] for row in index if int(row["rows"]) <= MOST]
         solvable = {row["file"] for row in index if "no solution" not in row["known"]}
-        runs = [run(lcplab, place, files, tolerance, present) for tolerance in ASKED]
+        runs, loads = [], []
+        for tolerance in ASKED:
+            runs.append(run(lcplab, place, files, tolerance, present))
+            loads.append(os.getloadavg()[2])
     results = by_problem(runs)
-    OUT.write_text(page(lcplab, results, solvable & set(files), present), encoding="utf-8")
+    OUT.write_text(page(lcplab, results, solvable & set(files), present, max(loads)), encoding="utf-8")
     print(OUT)
 
 
@@ -114,7 +119,7 @@ def rejected(rows: list[dict]) -> bool:
     return row["refuted_claims"] + row["false_claims"] > 0
 
 
-def page(lcplab: Path, results: Results, solvable: set[str], present: list[str]) -> str:
+def page(lcplab: Path, results: Results, solvable: set[str], present: list[str], load: float) -> str:
     problems = {solver: set(runs) & solvable for solver, runs in results.items()}
     common = sorted(set.intersection(*problems.values()))
     speeds, totals, claims = [], [], []
@@ -133,11 +138,12 @@ def page(lcplab: Path, results: Results, solvable: set[str], present: list[str])
             claims.append(f"- {named(solver)}: {names}")
     return f"""# Third-party solvers on the problem set
 
-Recorded on {datetime.date.today().isoformat()}, on {machine()}, with {lcplab_version(lcplab)}, {versions(present)}.
+Recorded on {datetime.date.today().isoformat()}, on {machine(load)}, with {lcplab_version(lcplab)}, {versions(present)}.
 
 The judge verified every answer. A solver *meets* an accuracy if it claims a solution, the judge accepts it, and its
 scaled residual is below that accuracy. Each solver ran with the tolerances {", ".join(f"{t:.0e}".replace("e-0", "e-") for t in ASKED)}, and the fastest run
-that meets the accuracy counts. The mean is the geometric mean of time + {1000 * SHIFT:g} ms, minus {1000 * SHIFT:g} ms; a failure counts as {LIMIT:g} s. The machine is shared. Times of
+that meets the accuracy counts. The mean is the geometric mean of time + {1000 * SHIFT:g} ms, minus {1000 * SHIFT:g} ms; a failure counts as {LIMIT:g} s. If the
+average load is above the number of processors, times are upper bounds. Times of
 third-party solvers include the communication with a [plug-in](../docs/plugins.md). `python3 benches/third_party.py` repeats the measurement.
 
 ## Problems that all of them take
@@ -168,9 +174,12 @@ def table(head: list[str], rows: list[list[str]]) -> str:
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
-def machine() -> str:
+def machine(load: float) -> str:
+    """The machine, and how many processes wanted a processor; those of this program are about one of them."""
     name = re.search(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text(encoding="utf-8"))
-    return f"{name[1] if name else platform.processor()}, {platform.freedesktop_os_release()['PRETTY_NAME']}"
+    return f"{name[1] if name else platform.processor()}, {platform.freedesktop_os_release()['PRETTY_NAME']}, " + (
+        f"{os.cpu_count()} processors, average load {load:.1f}"
+    )
 
 
 def lcplab_version(lcplab: Path) -> str:
@@ -184,7 +193,7 @@ def versions(present: list[str]) -> str:
 def known(package: str) -> str:
     try:
         return version(package)
-    except PackageNotFoundError:  # Debian's Siconos has no metadata
+    except PackageNotFoundError:  # Siconos may have no metadata
         return "of the system"
 
 

@@ -9,11 +9,12 @@ use super::{err, out, run};
 
 /// The adapters, the packages that they need, and a family that they are not made for: a matrix
 /// that is not symmetric, or rows that may pull.
-const ADAPTERS: [(&str, &str, &str); 7] = [
+const ADAPTERS: [(&str, &str, &str); 8] = [
     ("use_osqp", "numpy, osqp, scipy", "murty"),
     ("use_quadprog", "numpy, quadprog", "murty"),
     ("use_proxsuite", "numpy, proxsuite", "murty"),
     ("use_lsq_linear", "numpy, scipy", "murty"),
+    ("use_pinocchio", "numpy, pinocchio", "murty"),
     ("use_moby", "numpy, pydrake", "mcp09"),
     ("use_siconos", "numpy, siconos", "mcp09"),
     ("use_quantecon", "numpy, quantecon", "mcp09"),
