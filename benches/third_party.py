@@ -146,7 +146,7 @@ that meets the accuracy counts. The mean is the geometric mean of time + {1000 *
 average load is above the number of processors, times are upper bounds. Times of
 third-party solvers include the communication with a [plug-in](../docs/plugins.md). `python3 benches/third_party.py` repeats the measurement.
 
-## Problems that all of them take
+## Problems that all solvers attempt
 
 {len(common)} problems of the set with up to {MOST} rows have a solution, a symmetric A, and the bounds 0 and ∞ in every row.
 
