@@ -18,7 +18,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Build the wheel for Pyodide.")
     parser.add_argument("--out", type=Path, default=ROOT / "target/wheels", help="folder to write into")
     given = parser.parse_args()
-    command = ["maturin", "build", "--quiet", "--release", "--locked", "--target", "wasm32-unknown-emscripten"]
+    command = ["maturin", "build", "--quiet", "--release", "--locked", "--compression-level", "9", "--target", "wasm32-unknown-emscripten"]
     command += ["--manifest-path", "python/Cargo.toml", "--target-dir", "target/python", "--out", str(given.out.resolve())]
     subprocess.run(command, cwd=ROOT, env=environment(), check=True)
 
