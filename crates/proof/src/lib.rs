@@ -29,6 +29,7 @@ mod cases;
 mod check;
 mod claim;
 mod cone;
+mod congruence;
 mod format;
 mod hash;
 mod minors;

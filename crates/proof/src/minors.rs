@@ -5,11 +5,17 @@ use dashu_int::IBig;
 use lcplab_lcp::Lcp;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, integers};
 
-/// Whether A + Aᵀ is positive definite: all its leading principal minors are positive (Sylvester).
+use crate::congruence;
+
+/// Whether A + Aᵀ is positive definite: shown by a [congruence](congruence), or because all its
+/// leading principal minors are positive (Sylvester).
 pub fn is_definite(lcp: &Lcp) -> bool {
     let n = lcp.len();
     let a = |i, j| dyadic(lcp.matrix().entry(i, j));
     let sums: Vec<Dyadic> = (0..n).flat_map(|i| (0..n).map(move |j| a(i, j) + a(j, i))).collect();
+    if congruence::shows_definite(&sums, n) {
+        return true;
+    }
     let sums = integers(&sums);
     has_positive_leading_minors(sums.chunks(n.max(1)).map(<[IBig]>::to_vec).collect())
 }

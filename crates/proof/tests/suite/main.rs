@@ -6,6 +6,7 @@ mod cases;
 mod checkers;
 mod claims;
 mod cones;
+mod definite;
 mod forged;
 mod models;
 mod motion;
