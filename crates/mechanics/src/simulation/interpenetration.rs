@@ -158,7 +158,7 @@ impl Overlaps {
         found: &[DetectedContact],
     ) -> Vec<Interpenetration> {
         let mut depths: BTreeMap<[usize; 2], f64> = BTreeMap::new();
-        for found in found {
+        for found in found.iter().filter(|found| found.gap < 0.0) {
             let depth = depths.entry(found.id.bodies).or_default();
             *depth = depth.max(-found.gap);
         }

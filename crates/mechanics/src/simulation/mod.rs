@@ -57,7 +57,7 @@ pub use warnings::{Amount, Warning, Warnings};
 use std::ops::ControlFlow;
 
 use crate::body::State;
-use crate::scene::{DetectedContact, Detector, Passage, Scene, step_contacts};
+use crate::scene::{DetectedContact, Detector, Passage, Scene};
 use fallback::Solvers;
 use impact_energy::SpreadImpacts;
 use interpenetration::Overlaps;
@@ -261,12 +261,13 @@ impl Simulation {
             self.stepper = Some(stepper);
             return step;
         }
-        let failure = |cause| Failure { step: self.steps + 1, time: self.time(), cause };
+        let (number, time) = (self.steps + 1, self.time());
+        let failure = |cause| Failure { step: number, time, cause };
         let (from, dt) = (self.scene.time + self.time(), self.scene.step.dt);
         let scene = self.scene.forced(from, dt);
         let scene = scene.as_ref();
         let before = scene.supported(&self.states, from, dt);
-        let found = step_contacts(scene, &before);
+        let found = self.detector.step_contacts(scene, &before);
         let mut solving = Solving {
             scene,
             from,
@@ -320,13 +321,12 @@ impl Simulation {
             false => laws.of_pushes(scene, [&before, &states], &totals, &slips),
         };
         let impact_energy = match scene.step.scheme.spreads_impacts() {
-            true => self.spread_impacts.add(scene, self.steps + 1, &totals, &shifts, &states),
+            true => self.spread_impacts.add(scene, number, &totals, &shifts, &states),
             false => ImpactEnergy::of(scene, &before, &solves, events.as_deref()),
         };
         let scene = self.scene.forced(from, dt);
         let passages = self.detector.passages(&scene, &before, &states);
         let overlapping = self.detector.find(&scene, &states, 0.0);
-        let number = self.steps + 1;
         let (interpenetrations, motion) =
             measured(&mut self.overlaps, &scene, &states, number, &passages, overlapping);
         self.previous = answers;
@@ -400,17 +400,18 @@ impl Simulation {
     }
 }
 
-/// What bodies did to each other in a step, and energy, momentum and errors after it.
+/// What bodies did to each other in a step, and energy, momentum and errors after it. `found` are
+/// contacts after it, all that overlap among them.
 fn measured(
     overlaps: &mut Overlaps,
     scene: &Scene,
     after: &[State],
     step: usize,
     passages: &[Passage],
-    overlapping: &[DetectedContact],
+    found: &[DetectedContact],
 ) -> (Vec<Interpenetration>, Motion) {
     let of_passage = |passage: &Passage| Interpenetration::passed(scene, after, passage);
     let mut interpenetrations: Vec<_> = passages.iter().map(of_passage).collect();
-    interpenetrations.extend(overlaps.update(scene, after, overlapping));
-    (interpenetrations, Motion::overlapping(scene, after, step, overlapping))
+    interpenetrations.extend(overlaps.update(scene, after, found));
+    (interpenetrations, Motion::overlapping(scene, after, step, found))
 }

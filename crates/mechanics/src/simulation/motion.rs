@@ -54,15 +54,15 @@ impl Motion {
         Motion::overlapping(scene, states, step, &contacts(scene, states, 0.0))
     }
 
-    /// The same where the overlapping contacts are known.
+    /// The same where contacts are known, all that overlap among them.
     pub(super) fn overlapping(
         scene: &Scene,
         states: &[State],
         step: usize,
-        overlapping: &[DetectedContact],
+        found: &[DetectedContact],
     ) -> Self {
         let bodies = || scene.bodies.iter().map(|body| &body.mass).zip(states);
-        let deepest = overlapping.iter().map(|found| -found.gap).fold(0.0, f64::max);
+        let deepest = found.iter().map(|found| -found.gap).fold(0.0, f64::max);
         Motion {
             step,
             time: step as f64 * scene.step.dt,

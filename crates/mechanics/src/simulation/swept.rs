@@ -59,16 +59,13 @@ impl Simulation {
         stepper.step()?;
         let solves = stepper.solves().into_iter().filter(|[_, x]| !x.is_empty());
         let solves = solves.map(|solve| solve.map(<[f64]>::to_vec)).collect();
-        let contacts = stepper.found().to_vec();
+        let contacts = stepper.take_found();
         let cone_excess = stepper.cone_excess();
         stepper.find_contacts(&mut |_| ());
-        let is_overlap = |found: &&DetectedContact| found.gap < 0.0;
-        let overlapping: Vec<DetectedContact> =
-            stepper.found().iter().filter(is_overlap).cloned().collect();
         let (number, scene, states) = (self.steps + 1, &self.scene, stepper.states());
         let passages = self.detector.passages(scene, &self.states, states);
         let (interpenetrations, motion) =
-            measured(&mut self.overlaps, scene, states, number, &passages, &overlapping);
+            measured(&mut self.overlaps, scene, states, number, &passages, stepper.found());
         let before = std::mem::replace(&mut self.states, states.to_vec());
         self.steps = number;
         let swept = Swept { before, sweeps: scene.solver.max_iterations, solves };

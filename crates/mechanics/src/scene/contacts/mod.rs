@@ -157,11 +157,7 @@ pub fn contacts(scene: &Scene, states: &[State], margin: f64) -> Vec<DetectedCon
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn step_contacts(scene: &Scene, states: &[State]) -> Vec<DetectedContact> {
-    let mut detector = Detector::new(scene);
-    let reach = Reach::of_step(scene);
-    detector.find_pairs(scene, states, reach);
-    detector.find_points(scene, states, reach);
-    detector.found
+    Detector::new(scene).step_contacts(scene, states)
 }
 
 /// The body of a solid.
@@ -245,9 +241,27 @@ impl Detector {
         &self.found
     }
 
+    /// As [`step_contacts`] for the detector's scene.
+    pub(crate) fn step_contacts(
+        &mut self,
+        scene: &Scene,
+        states: &[State],
+    ) -> Vec<DetectedContact> {
+        let reach = Reach::of_step(scene);
+        self.find_pairs(scene, states, reach);
+        self.find_points(scene, states, reach);
+        self.take_found()
+    }
+
     /// The contacts found last.
     pub(crate) fn found(&self) -> &[DetectedContact] {
         &self.found
+    }
+
+    /// The contacts found last, which are then no longer kept here.
+    pub(crate) fn take_found(&mut self) -> Vec<DetectedContact> {
+        let room = Vec::with_capacity(self.found.len());
+        std::mem::replace(&mut self.found, room)
     }
 
     /// The size of its arrays in bytes, without the polytopes, which bodies may share.

@@ -177,6 +177,11 @@ impl Stepper {
         self.detector.found()
     }
 
+    /// The contacts of the last step, which are then no longer kept here.
+    pub(super) fn take_found(&mut self) -> Vec<DetectedContact> {
+        self.detector.take_found()
+    }
+
     /// The impulses of the last step (N s, N m s), one entry a row: constraints first, then
     /// contacts, as an [`Assembly`] has them.
     pub fn x(&self) -> &[f64] {
