@@ -58,10 +58,15 @@ pub struct Proof {
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn prove(lcp: &Lcp, x: &[f64]) -> Option<Proof> {
-    let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
-    let (nearest, distance) = nearest(lcp, x, size, |point| point.distance(x))?;
+    let (nearest, distance) = nearest_to(lcp, x)?;
     let null_direction = nearest.null_direction.map(|d| d.entries());
     Some(Proof { x: nearest.x.entries(), distance, null_direction })
+}
+
+/// As [`prove`], without the fractions of x*: reducing them takes as long as the rest.
+pub(super) fn nearest_to(lcp: &Lcp, x: &[f64]) -> Option<(ExactSolution, f64)> {
+    let size = x.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+    nearest(lcp, x, size, |point| point.distance(x))
 }
 
 /// An exact solution, and a direction along which it can move.

@@ -142,12 +142,12 @@ fn judge_as_given(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
         return certificate;
     }
     let is_small = lcp.len() <= demand.prove_up_to;
-    let proof = if is_small { exact::prove(lcp, x) } else { None };
+    let nearest = if is_small { exact::nearest_to(lcp, x) } else { None };
     let within = Certificate { verdict: Verdict::WithinTolerance, ..certificate };
-    match proof {
-        Some(proof) if is_near(x, proof.distance) => Certificate {
-            verdict: Verdict::Proved { distance: proof.distance },
-            evidence: proof.null_direction.map(Evidence::NotUnique),
+    match nearest {
+        Some((solution, distance)) if is_near(x, distance) => Certificate {
+            verdict: Verdict::Proved { distance },
+            evidence: solution.null_direction.map(|d| Evidence::NotUnique(d.entries())),
             ..within
         },
         _ if !improves_on_zero(&residuals, &at_zero(lcp), demand.tolerance) => {
@@ -156,8 +156,8 @@ fn judge_as_given(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
             Certificate { verdict, ..within }
         }
         // If there is a family of solutions, the distance to one of them says nothing about x.
-        Some(exact::Proof { null_direction: Some(_), .. }) => within,
-        Some(exact::Proof { distance, .. }) => {
+        Some((exact::ExactSolution { null_direction: Some(_), .. }, _)) => within,
+        Some((_, distance)) => {
             Certificate { evidence: Some(Evidence::FarSolution { distance }), ..within }
         }
         None if is_small => searched(&at, within, demand.tolerance),

@@ -37,7 +37,8 @@ impl Exact {
 
     /// w_i times the point's denominator.
     pub fn scaled_w(&self, i: usize, x: &Point) -> Dyadic {
-        let terms = self.a[i].iter().map(|(j, a)| a * x.scaled(*j));
+        let nonzero = self.a[i].iter().filter(|(j, _)| *x.scaled(*j) != Dyadic::ZERO);
+        let terms = nonzero.map(|(j, a)| a * x.scaled(*j));
         terms.fold(&self.b[i] * x.denominator(), |sum, term| sum + term)
     }
 

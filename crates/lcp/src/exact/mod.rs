@@ -12,6 +12,7 @@
 //! A choice of a side for every row is a *piece*. The equations of a piece are solved in integers;
 //! the definition, row by row, decides whether a point solves the problem.
 
+mod bareiss;
 mod check;
 pub mod dyadic;
 mod echelon;
@@ -26,7 +27,11 @@ pub use point::Point;
 pub use solution_set::{Face, SolutionSet};
 
 use super::Lcp;
+use dashu_int::IBig;
 use dyadic::{Dyadic, dyadic, integers};
+
+/// Systems of up to this number of unknowns are solved by elimination.
+const MOST_ELIMINATED: usize = 10;
 
 /// The side of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -257,14 +262,19 @@ impl Exact {
 
     /// The point where w = 0 in these rows; there are as many rows as unknowns.
     fn solve(&self, rows: &[usize], places: &[Place], m: usize) -> Option<Point> {
-        let equations = rows.iter().map(|&i| integers(&self.equation(i, places, m)));
-        let (a, c): (Vec<_>, Vec<_>) = equations
-            .map(|mut equation| {
-                let constant = equation.pop().expect("m + 1 entries");
-                (equation, -constant)
-            })
-            .unzip();
-        let (numerators, denominator) = modular::solve(&a, &c)?;
+        let mut equations: Vec<Vec<IBig>> =
+            rows.iter().map(|&i| integers(&self.equation(i, places, m))).collect();
+        for equation in &mut equations {
+            equation[m] = -std::mem::take(&mut equation[m]);
+        }
+        let (numerators, denominator) = match m <= MOST_ELIMINATED {
+            true => bareiss::solve(equations)?,
+            false => {
+                let constant = |equation: &mut Vec<IBig>| equation.pop().expect("m + 1 entries");
+                let c: Vec<IBig> = equations.iter_mut().map(constant).collect();
+                modular::solve(&equations, &c)?
+            }
+        };
         Some(Point::of(places, numerators, denominator))
     }
 }
