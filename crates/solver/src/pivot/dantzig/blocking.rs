@@ -29,7 +29,7 @@ pub(super) struct Block {
     /// The new side of the row.
     pub(super) side: Side,
     /// Its own direction, if it enters C and is not the driven row.
-    pub(super) entering: Option<Direction>,
+    pub(super) entering: Option<Box<Direction>>,
 }
 
 impl Run<'_> {

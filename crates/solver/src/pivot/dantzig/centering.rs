@@ -53,7 +53,7 @@ impl Run<'_> {
         &mut self,
         i: usize,
         block: Block,
-        direction: Direction,
+        direction: Box<Direction>,
         served: &mut Vec<usize>,
     ) -> ControlFlow<Status> {
         if !self.move_off_bound(block.row, served) {

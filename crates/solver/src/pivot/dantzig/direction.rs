@@ -46,13 +46,13 @@ impl Direction {
 
 impl Run<'_> {
     /// d_C = −A_CC⁻¹ A_Ci and the Schur complement s.
-    pub(super) fn direction(&mut self, i: usize) -> ControlFlow<Status, Direction> {
+    pub(super) fn direction(&mut self, i: usize) -> ControlFlow<Status, Box<Direction>> {
         let mut direction = self
             .scratch
             .directions
             .pop()
-            .unwrap_or_else(|| Direction::with_room(self.state.x.len()));
-        let Direction { free, schur, size, column, elimination, .. } = &mut direction;
+            .unwrap_or_else(|| Box::new(Direction::with_room(self.state.x.len())));
+        let Direction { free, schur, size, column, elimination, .. } = &mut *direction;
         let row = self.rows().row(i);
         column.clear();
         column.extend(self.basis.free.iter().map(|&j| row.entry(j)));

@@ -29,7 +29,7 @@ impl Run<'_> {
         &mut self,
         i: usize,
         block: Block,
-        direction: Direction,
+        direction: Box<Direction>,
     ) -> ControlFlow<Status> {
         let Block { row, side, entering, .. } = block;
         match side {
