@@ -71,6 +71,33 @@ impl Stack {
     }
 }
 
+/// A pile of bodies of several masses with contacts between random pairs: a kind of problem for
+/// which no solver was tuned. A is sparse, without order, and regularized like a [`Stack`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pile {
+    /// The number of contacts; there are half as many bodies.
+    pub contacts: usize,
+    /// The part of the mean diagonal that is added to the diagonal of A.
+    pub compliance: f64,
+}
+
+impl Pile {
+    /// Its name, with the number of contacts.
+    pub fn name(&self) -> String {
+        format!("random pile {}", self.contacts)
+    }
+
+    /// Its problem.
+    ///
+    /// # Errors
+    /// If a number is not in its range.
+    pub fn lcp(&self) -> Result<Lcp> {
+        let bodies = (self.contacts / 2) as f64;
+        let given = [("bodies", bodies), ("contacts", self.contacts as f64)];
+        softened(&library::by_name("contact-graph")?.generate(&given)?.lcp, self.compliance)
+    }
+}
+
 /// A with this part of its mean diagonal added to the diagonal.
 fn softened(lcp: &Lcp, part: f64) -> Result<Lcp> {
     let n = lcp.len();

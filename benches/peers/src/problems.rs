@@ -5,7 +5,7 @@ use lcplab::lcp::Lcp;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
 use lcplab::solver::{self, Options};
-use lcplab_benches::problems::{Bounds, Stack};
+use lcplab_benches::problems::{Bounds, Pile, Stack};
 use lcplab_benches::recording::Problem;
 
 use crate::contender::Contender;
@@ -23,6 +23,8 @@ const CONDITION: f64 = 400.0;
 const BOXES: [usize; 4] = [5, 10, 20, 50];
 const FRICTION: [f64; 2] = [0.0, 0.5];
 const COMPLIANCE: [f64; 2] = [0.0, 1e-8];
+/// Contacts of the random piles, all regularized.
+const CONTACTS: [usize; 4] = [20, 40, 80, 200];
 /// The step of the net that is solved: its masses move by then.
 const STEP: usize = 10;
 
@@ -63,6 +65,10 @@ fn posed() -> Result<Vec<(String, Lcp)>> {
                 all.push((stack.name(), stack.lcp()?));
             }
         }
+    }
+    for contacts in CONTACTS {
+        let pile = Pile { contacts, compliance: COMPLIANCE[1] };
+        all.push((pile.name(), pile.lcp()?));
     }
     all.push(("net".into(), net()?));
     Ok(all)
