@@ -4,4 +4,5 @@ pub mod cholesky;
 pub mod elimination;
 pub mod envelope;
 pub mod ldlt;
+pub mod reordered;
 pub mod sparse_factor;

@@ -11,6 +11,8 @@
 //! factorizations. Columns of L with the same rows are stored together as dense blocks
 //! (*supernodes*) if L is large enough.
 
+use std::fmt;
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::perm::PermRef;
@@ -31,6 +33,13 @@ pub struct SparseFactor {
     symbolic: SymbolicCholesky<usize>,
     lower: Vec<f64>,
     memory: MemBuffer,
+}
+
+// faer's working memory has no Debug.
+impl fmt::Debug for SparseFactor {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("SparseFactor").field("entries", &self.entries()).finish_non_exhaustive()
+    }
 }
 
 /// The pattern with these rows in each column: ascending, none above the diagonal.

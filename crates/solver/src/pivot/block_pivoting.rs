@@ -57,9 +57,16 @@ impl Solver for BlockPivoting {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         start.with_cache(|left| {
-            principal::solve(lcp, start, &mut left.set, &self.settings, observer, |lcp, search| {
-                self.search(lcp, search, FreeRows::kept(&mut left.equations, lcp))
-            })
+            let needs = FreeRows::memory(lcp);
+            principal::solve(
+                lcp,
+                start,
+                &mut left.set,
+                needs,
+                &self.settings,
+                observer,
+                |lcp, search| self.search(lcp, search, FreeRows::kept(&mut left.equations, lcp)),
+            )
         })
     }
 }

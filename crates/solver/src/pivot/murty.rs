@@ -24,6 +24,7 @@
 use std::ops::ControlFlow;
 
 use super::active_set::ActiveSet;
+use super::opening;
 use super::principal::{self, Change, Point};
 use crate::{Observer, Settings, Solution, Solver, Start, Status};
 use lcplab_lcp::Lcp;
@@ -47,13 +48,23 @@ impl Solver for Murty {
 
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         start.with_cache(|left| {
-            principal::solve(lcp, start, &mut left.set, &self.settings, observer, |lcp, search| {
-                let status = match search.run(lcp, |set| point(lcp, set), |_| Change::Least, None) {
-                    ControlFlow::Continue(()) => search.claim(lcp),
-                    ControlFlow::Break(status) => status,
-                };
-                search.solution(status)
-            })
+            let needs = opening::dense_memory(lcp);
+            principal::solve(
+                lcp,
+                start,
+                &mut left.set,
+                needs,
+                &self.settings,
+                observer,
+                |lcp, search| {
+                    let status =
+                        match search.run(lcp, |set| point(lcp, set), |_| Change::Least, None) {
+                            ControlFlow::Continue(()) => search.claim(lcp),
+                            ControlFlow::Break(status) => status,
+                        };
+                    search.solution(status)
+                },
+            )
         })
     }
 }

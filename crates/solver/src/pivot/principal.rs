@@ -156,22 +156,26 @@ impl Search<'_> {
 
 /// Solves a problem by a method that moves between active sets, `method(problem, search)`; if
 /// bounds depend on x, by frozen bounds. It starts from the cached set, if that fits, and stores
-/// its last set there.
+/// its last set there. `needs` is the memory of its factor, `None` if that would take too long.
 pub(crate) fn solve(
     lcp: &Lcp,
     start: &Start<'_>,
     set: &mut Option<ActiveSet>,
+    needs: Option<Memory>,
     settings: &Settings,
     observer: &mut dyn Observer,
     mut method: impl FnMut(&Lcp, &mut Search<'_>) -> Solution,
 ) -> Solution {
     let x = start.point(lcp);
     *set = set.take().and_then(|set| set.fitted(lcp));
-    let needs = Memory::square(lcp.len());
+    let at_once = match needs {
+        Some(needs) => opening::start(&x, needs, settings, observer),
+        None => Some(opening::TOO_LARGE),
+    };
+    // With a set, its point may cost less than evaluating x.
     let at_once = match set {
-        // the point of the set may cost less than evaluating x
-        Some(_) => opening::begin(lcp, &x, needs, settings, observer),
-        None => opening::at_once(lcp, &x, needs, settings, observer),
+        Some(_) => at_once,
+        None => at_once.or_else(|| opening::is_solved(lcp, &x, settings)),
     };
     if let Some(status) = at_once {
         return Solution::new(lcp, x, status, 0);

@@ -1,9 +1,11 @@
 //! Principal pivoting (Murty, block) and enumeration.
 
 use dashu_ratio::RBig;
-use lcplab_lcp::library;
+use lcplab_lcp::memory::Memory;
+use lcplab_lcp::{Lcp, Matrix, library};
 use lcplab_solver::{
-    BlockPivoting, Enumeration, Event, Fallback, Murty, Solver, Start, Status, all_solutions,
+    BlockPivoting, Enumeration, Event, Fallback, Murty, Settings, Solver, Start, Status,
+    all_solutions,
 };
 
 use lcplab_testing::{INF, assert_proved, boxed, contacts, events};
@@ -90,4 +92,38 @@ fn too_many_active_sets_are_refused() {
     let status = Enumeration::default().solve(&lcp, &Start::default(), &mut ()).status;
     assert!(matches!(status, Status::OutsideClass { .. }), "{status}");
     assert_eq!(all_solutions(&lcp), None);
+}
+
+/// tridiag(−1, 4, −1) with the rows in another order: neighbors are 4801 rows apart, so that the
+/// envelope is nearly full. n has no common factor with 4801.
+fn scattered_chain(n: usize) -> Matrix {
+    let row = |k: usize| k * 4_801 % n;
+    let mut entries = Vec::new();
+    for k in 0..n {
+        entries.push((row(k), row(k), 4.0));
+        if k + 1 < n {
+            entries.push((row(k), row(k + 1), -1.0));
+            entries.push((row(k + 1), row(k), -1.0));
+        }
+    }
+    Matrix::sparse(n, &entries)
+}
+
+#[test]
+fn block_pivoting_solves_a_sparse_problem_of_ten_thousand_rows() {
+    let n = 10_000;
+    let a = scattered_chain(n);
+    // x and w are chosen first: A is definite, so x is the only solution.
+    let x: Vec<f64> = (0..n).map(|i| if i % 3 == 0 { 0.0 } else { 1.0 + (i % 7) as f64 }).collect();
+    let b = (0..n).map(|i| if i % 3 == 0 { 1.0 } else { 0.0 } - a.row_dot(i, &x));
+    let lcp = Lcp::new(a.clone(), b.collect(), vec![0.0; n], vec![f64::INFINITY; n]).unwrap();
+    let solution = BlockPivoting::default().solve(&lcp, &Start::default(), &mut ());
+    assert_eq!(solution.status, Status::Solved);
+    let error = solution.x.iter().zip(&x).map(|(x, own)| (x - own).abs()).fold(0.0, f64::max);
+    assert!(error < 1e-12, "{error:e}");
+
+    let little = Settings::default().with_memory(Memory::bytes(100_000));
+    let refused = BlockPivoting { settings: little, ..BlockPivoting::default() };
+    let status = refused.solve(&lcp, &Start::default(), &mut ()).status;
+    assert!(matches!(status, Status::TooLarge { .. }), "{status}");
 }
