@@ -67,8 +67,8 @@ impl FreeRows {
         FreeRows { matrix, factor, free: None }
     }
 
-    /// The memory of a factor of this problem's matrix, at most; `None` if it would be dense and take
-    /// too long.
+    /// The memory of a factor of this problem's matrix, at most; `None` if it would be dense and
+    /// take too long.
     pub(crate) fn memory(lcp: &Lcp) -> Option<Memory> {
         opening::dense_memory(lcp).or_else(|| FreeRows::sparse_memory(lcp))
     }

@@ -55,8 +55,8 @@ pub(super) struct Basis {
 /// Reusable vectors.
 #[derive(Default)]
 pub(super) struct Scratch {
-    /// Directions that are no longer needed; boxed, because moving them takes a tenth of the time of
-    /// small problems otherwise.
+    /// Directions that are no longer needed; boxed, because moving them would take a tenth of the
+    /// time of small problems.
     #[expect(clippy::vec_box, reason = "they are taken out and put back")]
     pub(super) directions: Vec<Box<Direction>>,
     /// Possible ends of a move.
