@@ -44,7 +44,7 @@ pub use claim::{
 };
 pub use hash::{canonical_bytes, hash};
 pub use lcplab_judge::cases::Tree;
-pub use prove::{ProofSearch, prove, prove_kind};
+pub use prove::{ProofSearch, prove, prove_different, prove_kind};
 pub use residual::scaled as exact_residual;
 
 #[cfg(doctest)]

@@ -10,7 +10,7 @@ use lcplab_judge::{exact, refuting_vector};
 use lcplab_lcp::exact::dyadic::{dyadic, rational, whole};
 use lcplab_lcp::exact::{Exact, Point};
 use lcplab_lcp::friction::ProblemForm;
-use lcplab_lcp::number::counted;
+use lcplab_lcp::number::{counted, readable};
 use lcplab_lcp::{Lcp, Question};
 
 use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, about_boxes, about_cones, check};
@@ -22,6 +22,9 @@ use crate::{cone, hash, minors, motion, pivot, residual};
 const MOST_ROWS: usize = 500;
 /// With more rows it is not decided whether A + Aᵀ is definite: elimination takes too long.
 const MOST_ROWS_TO_ELIMINATE: usize = 150;
+
+/// A given answer is a solution if an exact one is within this part of its largest entry.
+const MOST_APART: f64 = 1e-6;
 
 /// The result of a search for a proof.
 #[derive(Debug, Clone)]
@@ -110,6 +113,68 @@ pub fn prove_kind(question: &Question, answer: &[f64], kind: Kind) -> ProofSearc
     }
 }
 
+/// Proves that two answers are two different solutions (`not-unique`): each must lie within 10⁻⁶ of
+/// its largest entry of an exact solution.
+///
+/// ```
+/// use lcplab_lcp::file::Problem;
+/// use lcplab_lcp::{Lcp, Matrix, Question};
+/// use lcplab_proof::{Kind, check, prove_different};
+///
+/// // The same contact twice: x₀ + x₁ = 1 in any shares.
+/// let a = Matrix::from([[1.0, 1.0], [1.0, 1.0]]);
+/// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
+/// let question = Question::new(&Problem::new("twice", lcp), None, "twice.json")?;
+/// let proof = prove_different(&question, &[1.0, 0.0], &[0.25, 0.75]).proof.expect("a proof");
+/// assert_eq!(proof.claim.kind(), Kind::NotUnique);
+/// assert_eq!(check(&question, &proof), Ok(()));
+/// let none = prove_different(&question, &[1.0, 0.0], &[1.0, 1.0]);
+/// let reason = "the second answer is 0.5 away from the exact solution on its active set";
+/// assert_eq!(none.missing, [(Kind::NotUnique, reason.into())]);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
+///
+/// # Panics
+/// If an answer does not have one entry per row.
+pub fn prove_different(question: &Question, first: &[f64], second: &[f64]) -> ProofSearch {
+    let prover = Prover::new(question, first);
+    assert_eq!(second.len(), first.len(), "an answer needs one entry per row");
+    let claim = match question.boxed() {
+        Some(lcp) => different(lcp, first, second),
+        None => Err(about_boxes(Kind::NotUnique, model(question))),
+    };
+    match claim.and_then(|claim| prover.checked(claim)) {
+        Ok(proof) => ProofSearch { proof: Some(proof), missing: Vec::new() },
+        Err(reason) => ProofSearch { proof: None, missing: vec![(Kind::NotUnique, reason)] },
+    }
+}
+
+fn different(lcp: &Lcp, first: &[f64], second: &[f64]) -> Result<Claim, String> {
+    let x = given_solution(lcp, first, "first")?;
+    let y = given_solution(lcp, second, "second")?;
+    if x == y {
+        return Err("both answers lie next to the same exact solution".into());
+    }
+    Ok(Claim::NotUnique { x: vector(lcp, &x), y: vector(lcp, &y) })
+}
+
+/// The exact solution next to an answer.
+fn given_solution(lcp: &Lcp, answer: &[f64], which: &str) -> Result<Vec<RBig>, String> {
+    if !answer.iter().all(|x| x.is_finite()) {
+        return Err(format!("the {which} answer is not finite"));
+    }
+    let exact::Proof { x, distance, .. } = exact::prove(lcp, answer)
+        .ok_or(format!("the {which} answer has no exact solution on its active set"))?;
+    let size = answer.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    if distance > MOST_APART * size {
+        let distance = readable(distance, 3);
+        return Err(format!(
+            "the {which} answer is {distance} away from the exact solution on its active set"
+        ));
+    }
+    Ok(x)
+}
+
 /// An exact solution, and a direction in which it can move if one was found.
 struct Solution {
     x: Vec<RBig>,
@@ -145,6 +210,11 @@ impl<'a> Prover<'a> {
                 _ => self.of_any_model(kind)?,
             },
         };
+        self.checked(claim)
+    }
+
+    /// The proof with this claim, if the checker accepts it.
+    fn checked(&self, claim: Claim) -> Result<Proof, String> {
         let has_friction = rows(self.question).has_coupled_rows();
         let stated = self.question.model().or(has_friction.then(|| model(self.question)));
         let proof = Proof { problem: hash(self.question), model: stated, claim };

@@ -5,7 +5,7 @@
 use lcplab_judge::cases::{MOST_PROGRAMS, Search, search};
 use lcplab_lcp::exact::SolutionSet;
 use lcplab_lcp::{Lcp, Matrix};
-use lcplab_proof::{Kind, check, prove_kind};
+use lcplab_proof::{Kind, check, prove_different, prove_kind};
 use oorandom::Rand64;
 
 use super::checkers::{others, own};
@@ -203,4 +203,50 @@ fn full_matrices_of_twelve_boxes_are_decided() {
         let lcp = Lcp::new(Matrix::dense(12, &a), b, vec![-1.0; 12], vec![1.0; 12]).unwrap();
         has_another(&lcp, &first_solution(&lcp));
     }
+}
+
+/// Two plants ship 50 and 60 to two markets that take 30 and 25, at costs (2, 3; 2, 4). Shipping
+/// from either plant to market 1 costs 2, so several plans cost as little.
+fn transport() -> Lcp {
+    let mut a = vec![0.0; 64];
+    for (shipment, (plant, market)) in [(4, 6), (4, 7), (5, 6), (5, 7)].into_iter().enumerate() {
+        for (row, sign) in [(plant, 1.0), (market, -1.0)] {
+            a[shipment * 8 + row] = sign;
+            a[row * 8 + shipment] = -sign;
+        }
+    }
+    contacts(&a, &[2.0, 3.0, 2.0, 4.0, 50.0, 60.0, -30.0, -25.0])
+}
+
+/// All of it from either plant: both plans, given as answers, prove that neither is the only one.
+#[test]
+fn two_given_answers_prove_that_neither_is_the_only_one() {
+    let lcp = transport();
+    let plans =
+        [[25.0, 25.0, 5.0, 0.0, 0.0, 0.0, 2.0, 3.0], [0.0, 25.0, 30.0, 0.0, 0.0, 0.0, 2.0, 3.0]];
+    let found = prove_different(&asked(&lcp), &plans[0], &plans[1]);
+    let proof = found.proof.unwrap_or_else(|| panic!("{:?}", found.missing));
+    assert_eq!(proof.claim.kind(), Kind::NotUnique);
+    assert_eq!(check(&asked(&lcp), &proof), Ok(()));
+    let pair = (problem(&lcp).to_json().to_string(), proof.to_json().to_string());
+    for (checker, verdicts) in others(&[pair]) {
+        assert_eq!(verdicts, ["proved"], "{checker}");
+    }
+}
+
+/// An answer twice, or one that is off by a thousandth, proves nothing.
+#[test]
+fn one_answer_twice_or_a_wrong_one_proves_nothing() {
+    let lcp = transport();
+    let plan = [25.0, 25.0, 5.0, 0.0, 0.0, 0.0, 2.0, 3.0];
+    let mut wrong = plan;
+    wrong[6] = 2.1;
+    let reason = |second: &[f64]| {
+        let found = prove_different(&asked(&lcp), &plan, second);
+        assert!(found.proof.is_none());
+        found.missing[0].1.clone()
+    };
+    assert_eq!(reason(&plan), "both answers lie next to the same exact solution");
+    assert!(reason(&wrong).starts_with("the second answer"), "{}", reason(&wrong));
+    assert_eq!(reason(&[f64::NAN; 8]), "the second answer is not finite");
 }
