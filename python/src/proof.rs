@@ -70,7 +70,7 @@ pub fn solutions(py: Python<'_>, problem: &Problem, model: Option<String>) -> Py
     let question = question(problem, model, None)?;
     let lcp = question.require_boxed("all solutions can be listed", "problem").map_err(refused)?;
     let set = py.detach(|| SolutionSet::of(lcp)).ok_or_else(|| {
-        let reason = "has more than 65,536 active sets, too many to try";
+        let reason = "has more than 531,441 active sets, too many to try";
         refused(Error::invalid("problem", "rows", reason))
     })?;
     let exact = |points: &[Vec<_>]| {

@@ -33,7 +33,7 @@ within. \
 The first kind that can be proved is written; for each stronger kind the output says why it was not proved. \
 For a problem of up to 24 rows, lcplab also searches all active sets for a second solution, within about half a minute; \
 the output says whether there is one. \
-With --all, lcplab lists all solutions of a problem of up to 16 rows if each has one finite bound, or of up to 10 rows \
+With --all, lcplab lists all solutions of a problem of up to 19 rows if each has one finite bound, or of up to 12 rows \
 if they have two. \
 docs/proofs.md says what each kind proves. Most proofs are about boxes: under a friction cone, no-solution, \
 solution and cone-solution can be proved, under a polygon only no-solution (although the judge can prove an answer under a polygon).
@@ -142,7 +142,7 @@ impl Prove {
     fn all_solutions(&self, question: &Question, input: &str) -> Result<Outcome> {
         let lcp = question.require_boxed("all solutions can be listed", input)?;
         let set = SolutionSet::of(lcp).ok_or_else(|| {
-            let reason = "has more than 65,536 active sets, too many to try";
+            let reason = "has more than 531,441 active sets, too many to try";
             Error::invalid(input, "problem", reason)
         })?;
         print(&if self.json { solutions::to_json(&set) } else { solutions::words(&set) })?;

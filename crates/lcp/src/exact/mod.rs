@@ -19,6 +19,7 @@ mod echelon;
 pub mod modular;
 mod pieces;
 mod point;
+mod ranges;
 mod solution_set;
 
 pub use dyadic::rounded_up;

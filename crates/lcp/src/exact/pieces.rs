@@ -12,6 +12,7 @@ use dashu_ratio::RBig;
 
 use super::dyadic::{Dyadic, integers};
 use super::echelon::{self, System};
+use super::ranges::Ranges;
 use super::{Bounds, Exact, Place, Point, Side};
 use crate::Lcp;
 
@@ -47,11 +48,16 @@ pub struct Pieces {
 impl Pieces {
     /// All pieces; `None` if there are more than 65,536.
     pub fn of(lcp: &Lcp) -> Option<Self> {
+        Pieces::at_most(lcp, MAX_PIECES)
+    }
+
+    /// All pieces; `None` if there are more than this.
+    pub(super) fn at_most(lcp: &Lcp, most: usize) -> Option<Self> {
         let exact = Exact::new(lcp);
         let choices: Vec<Vec<Side>> = (0..lcp.len()).map(|i| exact.sides(i).to_vec()).collect();
         let count = choices.iter().try_fold(1usize, |n, sides| n.checked_mul(sides.len()))?;
         let mut pieces = Pieces { exact, choices, dependent: Vec::new(), count };
-        if count > MAX_PIECES {
+        if count > most {
             return None;
         }
         pieces.dependent = pieces.dependent_rows();
@@ -71,6 +77,27 @@ impl Pieces {
             side
         };
         self.choices.iter().map(&mut digit).collect()
+    }
+
+    /// Calls `look` with each piece in which the range of every w_i, for x within its bounds, allows
+    /// the sign that its side asks for; no other piece has a solution. Rows get their sides one by
+    /// one, and a row that is impossible ends all pieces with the sides so far.
+    pub(super) fn each_possible(&self, lcp: &Lcp, look: &mut dyn FnMut(&[Side])) {
+        let ranges = Ranges::new(lcp);
+        let mut sides = Vec::with_capacity(self.choices.len());
+        self.extend(&ranges, &mut sides, look);
+    }
+
+    fn extend(&self, ranges: &Ranges<'_>, sides: &mut Vec<Side>, look: &mut dyn FnMut(&[Side])) {
+        if !ranges.are_possible(sides, &self.choices) {
+            return;
+        }
+        let Some(choices) = self.choices.get(sides.len()) else { return look(sides) };
+        for side in choices {
+            sides.push(*side);
+            self.extend(ranges, sides, look);
+            sides.pop();
+        }
     }
 
     /// The solutions in a piece: none, one, or the corners of a polyhedron.

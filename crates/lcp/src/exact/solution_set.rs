@@ -13,6 +13,9 @@ use super::pieces::Pieces;
 use super::{Exact, Point};
 use crate::Lcp;
 
+/// Limit on the number of pieces: 3¹².
+const MOST_PIECES: usize = 531_441;
+
 /// All solutions of a problem.
 ///
 /// ```
@@ -69,7 +72,7 @@ impl Face {
 }
 
 impl SolutionSet {
-    /// The set; `None` if there are more than 65,536 pieces: 16 contacts, or 10 rows with two
+    /// The set; `None` if there are more than 531,441 pieces: 19 contacts, or 12 rows with two
     /// bounds.
     pub fn of(lcp: &Lcp) -> Option<Self> {
         let exact = Exact::new(lcp);
@@ -88,17 +91,17 @@ impl SolutionSet {
 
 /// The corners, each once.
 fn points(lcp: &Lcp) -> Option<Vec<Point>> {
-    let pieces = Pieces::of(lcp)?;
+    let pieces = Pieces::at_most(lcp, MOST_PIECES)?;
     let (mut all, mut known): (Vec<Point>, Vec<Vec<RBig>>) = Default::default();
-    for k in 0..pieces.count() {
-        for point in pieces.solutions(&pieces.piece(k)) {
+    pieces.each_possible(lcp, &mut |sides| {
+        for point in pieces.solutions(sides) {
             let entries = point.entries();
             if !known.contains(&entries) {
                 known.push(entries);
                 all.push(point);
             }
         }
-    }
+    });
     Some(all)
 }
 
@@ -112,7 +115,7 @@ fn rays(lcp: &Lcp) -> Option<(Exact, Vec<Point>)> {
     let bounded = |lo, hi| lcp.homogeneous().with_bounds(lo, hi).ok();
     let directions = bounded(lo.clone(), hi.clone())?;
     let cone = Exact::new(&directions);
-    if Pieces::of(&directions)?.are_regular() {
+    if Pieces::at_most(&directions, MOST_PIECES)?.are_regular() {
         return Some((cone, Vec::new())); // 0 is the only solution
     }
     let (mut all, mut known): (Vec<Point>, Vec<Vec<RBig>>) = Default::default();

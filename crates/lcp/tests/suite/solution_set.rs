@@ -119,3 +119,33 @@ fn a_hundred_regular_equations_have_one_solution() {
     let expected: Vec<RBig> = (1..=n).map(|i| RBig::from((i * (n + 1 - i) / 2) as u64)).collect();
     assert_eq!(found.corners, [expected]);
 }
+
+/// x_i w_i with w_i = −x_i on |x_i| ≤ 1: x_i is −1, 0 or 1, in each of three rows by itself. Nine
+/// further rows of the box have w_i = 2 x_i + Σ x_j − 1/2, with one solution each.
+#[test]
+fn twelve_rows_with_two_bounds_have_all_their_solutions() {
+    let n = 12;
+    let entry = |i: usize, j: usize| match (i < 3, j < 3, i == j) {
+        (true, true, true) => -1.0,
+        (false, false, true) => 3.0,
+        (false, false, false) => 1.0,
+        _ => 0.0,
+    };
+    let a: Vec<f64> = (0..n * n).map(|k| entry(k / n, k % n)).collect();
+    let b: Vec<f64> = (0..n).map(|i| if i < 3 { 0.0 } else { -5.5 }).collect();
+    let found = set(&a, &b, -1.0, 1.0);
+    assert_eq!(found.corners.len(), 27);
+    assert!(found.faces.iter().all(Face::is_isolated));
+    let half = RBig::from(1) / RBig::from(2); // 3 x + 8 x = 5.5
+    assert!(found.corners.iter().all(|x| x[3..].iter().all(|x| *x == half)));
+}
+
+/// A = −I with b = 0: no row decides any other, and every one has x_i = −1, 0 or 1. The ranges of w
+/// rule out no piece.
+#[test]
+fn a_problem_of_too_many_pieces_has_no_set() {
+    let n = 13;
+    let a: Vec<f64> = (0..n * n).map(|k| if k / n == k % n { -1.0 } else { 0.0 }).collect();
+    let lcp = Lcp::new(Matrix::dense(n, &a), vec![0.0; n], vec![-1.0; n], vec![1.0; n]).unwrap();
+    assert!(SolutionSet::of(&lcp).is_none());
+}
