@@ -19,6 +19,7 @@
 mod boxes;
 mod contact;
 mod friction;
+mod games;
 mod hard;
 mod manufactured;
 mod painleve;
@@ -195,6 +196,7 @@ pub fn all() -> impl Iterator<Item = &'static dyn Family> {
         boxes::FAMILIES,
         friction::FAMILIES,
         painleve::FAMILIES,
+        games::FAMILIES,
     ];
     let generated = generated.into_iter().flatten().map(|family| family as &dyn Family);
     generated.chain(published::ALL.iter().map(|problem| problem as &dyn Family))
