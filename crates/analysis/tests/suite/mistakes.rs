@@ -1,6 +1,7 @@
 //! The known mistakes that give exactly this x, each made here by an independent program.
 
 mod chance;
+mod kinds;
 mod plain;
 mod planted;
 

@@ -1,5 +1,6 @@
 //! Variants of the problem, each with one mistake.
 
+use lcplab_lcp::number::readable;
 use lcplab_lcp::{Coupling, Lcp, Matrix};
 
 use super::MistakeKind;
@@ -9,6 +10,8 @@ use super::nearest::solution;
 const MOST_ROWS: usize = 60;
 /// A factor of μ that differs from 1 by less is none.
 const NO_FACTOR: f64 = 1e-6;
+/// An entry within this fraction of the largest of a bound is at the bound.
+const AT_BOUND: f64 = 1e-9;
 
 /// A problem that was solved instead of the given one.
 pub(super) struct Changed {
@@ -62,10 +65,13 @@ pub(super) fn with_last_normals(lcp: &Lcp, last: &[f64]) -> Option<Changed> {
     Changed::new(MistakeKind::LastNormals, what, frozen)
 }
 
-/// A + ε I instead of A, with the ε that makes w = −ε x in the free rows, as closely as one number
+/// A + ε I instead of A, with the ε that makes w = −ε x in the `free` rows, as closely as one number
 /// can; compliance left out if ε is negative.
-pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
-    let free = free_rows(lcp, x);
+pub(super) fn compliant(
+    lcp: &Lcp,
+    x: &[f64],
+    free: &[usize],
+) -> Option<(MistakeKind, String, Lcp)> {
     let along: f64 = free.iter().map(|&i| -lcp.row_w(i, x) * x[i]).sum();
     let softness = along / free.iter().map(|&i| x[i] * x[i]).sum::<f64>();
     if softness == 0.0 || !softness.is_finite() {
@@ -74,51 +80,52 @@ pub(super) fn compliant(lcp: &Lcp, x: &[f64]) -> Option<(f64, Lcp)> {
     let n = lcp.len();
     let all = (0..n).flat_map(|i| lcp.matrix().row(i).iter().map(move |(j, a)| (i, j, a)));
     let entries: Vec<_> = all.chain((0..n).map(|i| (i, i, softness))).collect();
-    Some((softness, lcp.with_matrix(Matrix::sparse(n, &entries)).ok()?))
+    let changed = lcp.with_matrix(Matrix::sparse(n, &entries)).ok()?;
+    let size = readable(softness.abs(), 4);
+    Some(match softness > 0.0 {
+        true => {
+            let what = format!("compliance (CFM) {size} on the diagonal of A");
+            (MistakeKind::Compliance, what, changed)
+        }
+        false => {
+            let what = format!("compliance (CFM) {size} left out of the diagonal of A");
+            (MistakeKind::ComplianceLeftOut, what, changed)
+        }
+    })
 }
 
-/// b times the positive factor that brings the solution nearest to x. The factor can be computed
-/// only if all bounds are 0, infinite, or friction, because the solution is then proportional to b.
-/// If rows are redundant, x may be another solution than the one that is known, and the factor is
-/// that with which A x + b comes nearest to 0 in the rows that are at no bound.
-pub(super) fn with_factor(
+/// The positive factor of b that brings the solution nearest to x. It can be computed only if all
+/// bounds are 0, infinite, or friction, because the solution is then proportional to b. If rows are
+/// redundant, x may be another solution than the one that is known, and the factor is that with
+/// which A x + b comes nearest to 0 in the `free` rows.
+pub(super) fn factor_of_b(
     lcp: &Lcp,
     x: &[f64],
     solution: &[f64],
-    is_redundant: bool,
-) -> Option<(f64, Lcp)> {
-    let factor = match is_redundant {
-        true => factor_in_free_rows(lcp, x),
-        false => factor_of_b(lcp, x, solution),
-    }?;
-    let b = lcp.b().iter().map(|b| factor * b).collect();
-    Some((factor, lcp.with_b(b).ok()?))
-}
-
-/// The factor of b for which x is nearest to this multiple of the solution.
-pub(super) fn factor_of_b(lcp: &Lcp, x: &[f64], solution: &[f64]) -> Option<f64> {
-    let along: f64 = x.iter().zip(solution).map(|(x, s)| x * s).sum();
-    usable_factor(lcp, along / solution.iter().map(|s| s * s).sum::<f64>())
-}
-
-/// The factor f with the least Σ (A x + f b)_i² over the rows that are at no bound.
-fn factor_in_free_rows(lcp: &Lcp, x: &[f64]) -> Option<f64> {
-    let free = free_rows(lcp, x);
-    let along: f64 = free.iter().map(|&i| (lcp.b()[i] - lcp.row_w(i, x)) * lcp.b()[i]).sum();
-    usable_factor(lcp, along / free.iter().map(|&i| lcp.b()[i] * lcp.b()[i]).sum::<f64>())
-}
-
-fn usable_factor(lcp: &Lcp, factor: f64) -> Option<f64> {
+    free: Option<&[usize]>,
+) -> Option<f64> {
+    let along = |v: &[f64], of: &[f64]| v.iter().zip(of).map(|(v, of)| v * of).sum::<f64>();
+    let factor = match free {
+        None => along(x, solution) / along(solution, solution),
+        Some(free) => {
+            let b: Vec<f64> = free.iter().map(|&i| lcp.b()[i]).collect();
+            let held: Vec<f64> = free.iter().map(|&i| lcp.b()[i] - lcp.row_w(i, x)).collect();
+            along(&held, &b) / along(&b, &b)
+        }
+    };
     (is_homogeneous(lcp) && factor > 0.0 && factor.is_finite()).then_some(factor)
 }
 
 /// The rows in which x is strictly between its bounds.
-fn free_rows(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
-    let is_inside = |i: &usize| {
-        let (lo, hi) = lcp.bounds(*i, x);
-        lo < x[*i] && x[*i] < hi
-    };
-    (0..lcp.len()).filter(is_inside).collect()
+pub(super) fn free_rows(lcp: &Lcp, x: &[f64]) -> Vec<usize> {
+    (0..lcp.len()).filter(|&i| is_inside(lcp, i, x)).collect()
+}
+
+/// Whether x_i is strictly between its bounds, by more than rounding.
+pub(super) fn is_inside(lcp: &Lcp, i: usize, x: &[f64]) -> bool {
+    let size = x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let (lo, hi) = lcp.bounds(i, x);
+    lo + AT_BOUND * size < x[i] && x[i] < hi - AT_BOUND * size
 }
 
 /// Whether a multiple of b has the same multiple of x.

@@ -114,6 +114,20 @@ impl<'a> Comparison<'a> {
         Some(Agreement { distance, apart, chance: chance(&gap), chance_of_digits })
     }
 
+    /// The agreement of an x that itself solves a changed problem, where several answers do. The
+    /// scaled residual of each row in the problem as posed and in the changed one takes the place
+    /// of the distances from s and from y.
+    pub(crate) fn judged(&self, posed: &[f64], changed: &[f64], fitted: usize) -> Agreement {
+        let ratio = |(own, changed): (&f64, &f64)| match *own {
+            0.0 => 1.0,
+            own => (changed.max(ROUNDINGS * f64::EPSILON) / own).min(1.0),
+        };
+        let mut ratios: Vec<f64> = posed.iter().zip(changed).map(ratio).collect();
+        ratios.sort_by(f64::total_cmp);
+        let chance = ratios.iter().skip(fitted).product();
+        Agreement { distance: 0.0, apart: self.rounding(), chance, chance_of_digits: chance }
+    }
+
     /// How far the exact number behind x_i may be from x_i.
     fn uncertainty(&self, i: usize) -> f64 {
         // A number halfway between two others may be rounded to either.

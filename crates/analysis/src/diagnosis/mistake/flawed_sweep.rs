@@ -1,11 +1,10 @@
 //! Gauss-Seidel sweeps whose bounds are applied wrongly.
 
 use lcplab_lcp::Lcp;
-use lcplab_solver::{Solver, Start};
 
 use super::MistakeKind;
 use super::nearest::distance;
-use super::sweeps::{Nearest, SweepMatch, gauss_seidel};
+use super::sweeps::{Nearest, SweepMatch};
 
 /// Maximum number of sweeps from a multiple of the last answer.
 const SCALED_SWEEPS: usize = 20;
@@ -97,26 +96,28 @@ pub(super) fn flawed_sweeps(flaw: Flaw, lcp: &Lcp, most: usize, x: &[f64]) -> Op
     Some(nearest.swept(current))
 }
 
-/// The factor of the last answer and the sweeps from there that come nearest to x.
-pub(super) fn scaled_start(lcp: &Lcp, last: &[f64], x: &[f64]) -> Option<(f64, SweepMatch)> {
-    let fits = (0..=SCALED_SWEEPS).filter_map(|sweeps| {
-        let (factor, y) = fitted_start(lcp, last, x, sweeps)?;
+/// The factor of the last answer, and the number of sweeps from there, that come nearest to x;
+/// `sweeps` makes this number of sweeps from a start.
+pub(super) fn scaled_start(
+    last: &[f64],
+    x: &[f64],
+    sweeps: impl Fn(&[f64], usize) -> Vec<f64>,
+) -> Option<(f64, SweepMatch)> {
+    let fits = (0..=SCALED_SWEEPS).filter_map(|count| {
+        let from = |factor: f64| {
+            let start: Vec<f64> = last.iter().map(|x| factor * x).collect();
+            if count == 0 { start } else { sweeps(&start, count) }
+        };
+        let (factor, y) = fitted_start(from, x)?;
         let is_factor = FACTORS.contains(&factor) && (factor - 1.0).abs() > NO_FACTOR;
-        is_factor.then_some((factor, SweepMatch { sweeps, last: y.clone(), nearest: y }))
+        is_factor.then_some((factor, SweepMatch { sweeps: count, last: y.clone(), nearest: y }))
     });
     fits.min_by(|(_, a), (_, b)| distance(x, &a.nearest).total_cmp(&distance(x, &b.nearest)))
 }
 
 /// The factor whose sweeps come nearest to x, with their end. Each step of the fit takes the sweeps
 /// as linear in the factor, which they are as long as no row changes sides.
-fn fitted_start(lcp: &Lcp, last: &[f64], x: &[f64], sweeps: usize) -> Option<(f64, Vec<f64>)> {
-    let from = |factor: f64| {
-        let start: Vec<f64> = last.iter().map(|x| factor * x).collect();
-        match sweeps {
-            0 => start,
-            _ => gauss_seidel(sweeps).solve(lcp, &Start::at(&start), &mut ()).x,
-        }
-    };
+fn fitted_start(from: impl Fn(f64) -> Vec<f64>, x: &[f64]) -> Option<(f64, Vec<f64>)> {
     let mut factor = 0.9;
     for _ in 0..FITS {
         let (y, z) = (from(factor), from(factor + APART));

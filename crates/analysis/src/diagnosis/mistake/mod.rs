@@ -23,8 +23,11 @@
 //! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 
+mod active_set;
 mod changed;
 mod comparison;
+mod contact_attempts;
+mod contact_sweeps;
 mod flawed_sweep;
 mod friction_law;
 mod kind;
@@ -39,25 +42,32 @@ pub use sweeps::SweepLimits;
 
 use lcplab_judge::regularity::regularity;
 use lcplab_judge::{Demand, Verdict, judge_friction};
-use lcplab_lcp::friction::ProblemForm;
+use lcplab_lcp::friction::{Contact, ProblemForm};
 use lcplab_lcp::number::{counted, readable};
-use lcplab_lcp::{Lcp, merit};
-use lcplab_solver::{Settings, Start};
+use lcplab_lcp::{Lcp, Matrix, merit};
+use lcplab_solver::{Settings, Solver, Start};
 
 use changed::{
-    Changed, changed_problems, compliant, is_homogeneous, with_factor, with_factor_of_mu,
-    with_last_normals,
+    Changed, changed_problems, compliant, factor_of_b, free_rows, is_homogeneous,
+    with_factor_of_mu, with_last_normals,
 };
 use comparison::{Agreement, Comparison};
+use contact_sweeps::ContactSweeps;
 use flawed_sweep::{Flaw, flawed_sweeps, scaled_start};
-use friction_law::{Variant, contacts_of, other_laws, rows, variants};
+use friction_law::{Contacts, other_laws, rows, variants};
 use nearest::{distance, nearest_solution, on_active_set, solution};
-use sweeps::{SweepMatch, contact_sweep, gauss_seidel, methods, single_precision_sweep, sweep};
+use sweeps::{SweepMatch, gauss_seidel, methods, single_precision_sweep, sweep};
 
 /// Maximum number of rows for which mistakes are searched.
 const LARGEST: usize = 500;
 /// x solves a changed problem if its scaled residual is smaller by this factor there.
 const MUCH_SMALLER: f64 = 1e3;
+/// The residuals of x may differ from those of the mistake's answer by this part of the largest.
+const OWN_ERROR: f64 = 0.5;
+/// The same where rows are redundant, and x is one of many answers with its motion.
+const OWN_ERROR_OF_MOTION: f64 = 0.01;
+/// A solution this near to x, as a part of its largest entry, may be the one that x is.
+const BESIDE: f64 = 1e-6;
 /// Maximum number of rows that a mistake names.
 const LARGEST_LIST: usize = 6;
 
@@ -158,7 +168,8 @@ pub fn find_mistakes(problem: &ProblemForm, x: &[f64], last: Option<&[f64]>) -> 
         x,
         limits,
         redundant_rows: search.redundant_rows,
-        residual: merit::scaled_residual(lcp, x),
+        posed: problem,
+        residuals: friction_law::residuals(problem, x),
         found: Vec::new(),
         last_iterates: Vec::new(),
     };
@@ -168,8 +179,8 @@ pub fn find_mistakes(problem: &ProblemForm, x: &[f64], last: Option<&[f64]>) -> 
             nearest_solution(lcp, x, &attempts.last_iterates)
         }
         ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => {
-            attempts.unchanged_contacts(problem, last);
-            friction_law::solution(problem)
+            attempts.unchanged_contacts(last);
+            attempts.nearest_known()
         }
     };
     let Some(solution) = solution else {
@@ -187,12 +198,15 @@ pub fn find_mistakes(problem: &ProblemForm, x: &[f64], last: Option<&[f64]>) -> 
         attempts.fitted(&solution);
         attempts.flawed();
     }
-    attempts.of_any_law(problem, &solution);
+    attempts.of_any_law(&solution);
+    attempts.changed_contacts(last);
     search.conclusion = Conclusion::Compared { solution_distance };
     search.limits = limits;
-    search.mistakes = explanations(&comparison, attempts.found);
-    if let (ProblemForm::Boxed(_), true) = (problem, search.mistakes.is_empty()) {
-        search.mistakes = explanations(&comparison, wrong_active_set(lcp, x));
+    let posed = Posed { problem, residuals: &attempts.residuals, redundant: search.redundant_rows };
+    search.mistakes = explanations(&comparison, &posed, attempts.found);
+    if search.mistakes.is_empty() {
+        let own = wrong_active_set(problem, x);
+        search.mistakes = explanations(&comparison, &posed, own);
     }
     search
 }
@@ -224,29 +238,65 @@ struct Attempt {
     sweeps: usize,
     /// The number of values that were fitted to x.
     fitted: usize,
+    /// The scaled residual of each row in the changed problem, if y is x itself.
+    residuals: Option<Vec<f64>>,
 }
 
 impl Attempt {
     fn new(kind: MistakeKind, what: String, y: Vec<f64>) -> Self {
-        Attempt { kind, what, y, sweeps: 1, fitted: 0 }
+        Attempt { kind, what, y, sweeps: 1, fitted: 0, residuals: None }
     }
 }
 
 /// The equations of the active set of x, in which the rows at a bound are as in x.
-fn wrong_active_set(lcp: &Lcp, x: &[f64]) -> Vec<Attempt> {
+fn wrong_active_set(problem: &ProblemForm, x: &[f64]) -> Vec<Attempt> {
+    let found = match problem {
+        ProblemForm::Boxed(lcp) => on_active_set(lcp, x),
+        ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => {
+            ContactSweeps::of(problem).and_then(|own| active_set::on_active_set(&own, x))
+        }
+    };
     let attempt = |(y, fitted): (Vec<f64>, usize)| {
         let what = "the equations of its own active set, which is not that of a solution".into();
         Attempt { fitted, ..Attempt::new(MistakeKind::WrongActiveSet, what, y) }
     };
-    on_active_set(lcp, x).map(attempt).into_iter().collect()
+    found.map(attempt).into_iter().collect()
+}
+
+/// The problem as posed, with the scaled residual of each row at x.
+struct Posed<'a> {
+    problem: &'a ProblemForm,
+    residuals: &'a [f64],
+    /// The number of rows that depend on others.
+    redundant: usize,
+}
+
+impl Posed<'_> {
+    /// Whether y violates the problem as x does. If y is right, or nearly, the error of x is its
+    /// own, however near y is: where solutions are many, the answer of a mistake may be one of them.
+    fn is_violated_alike(&self, y: &[f64]) -> bool {
+        let largest = self.residuals.iter().copied().fold(0.0, f64::max);
+        let part = if self.redundant > 0 { OWN_ERROR_OF_MOTION } else { OWN_ERROR };
+        let own = friction_law::residuals(self.problem, y);
+        distance(self.residuals, &own) <= part * largest
+            && !judge_friction(self.problem, y, &Demand::default()).verdict.is_solution()
+    }
 }
 
 /// The attempts that explain x: the nearest first, then all that are as near.
-fn explanations(comparison: &Comparison<'_>, attempts: Vec<Attempt>) -> Vec<Mistake> {
+fn explanations(
+    comparison: &Comparison<'_>,
+    posed: &Posed<'_>,
+    attempts: Vec<Attempt>,
+) -> Vec<Mistake> {
     let count = attempts.len();
     let agreement = |attempt: Attempt| {
-        let agreement = comparison.agreement(&attempt.y, attempt.fitted)?;
-        agreement.is_no_chance(count * attempt.sweeps).then_some((attempt, agreement))
+        let agreement = match &attempt.residuals {
+            Some(changed) => comparison.judged(posed.residuals, changed, attempt.fitted),
+            None => comparison.agreement(&attempt.y, attempt.fitted)?,
+        };
+        let is_found = agreement.is_no_chance(count * attempt.sweeps);
+        (is_found && posed.is_violated_alike(&attempt.y)).then_some((attempt, agreement))
     };
     let mut found: Vec<(Attempt, Agreement)> = attempts.into_iter().filter_map(agreement).collect();
     // The sort is stable: the simplest first.
@@ -262,14 +312,25 @@ fn explanations(comparison: &Comparison<'_>, attempts: Vec<Attempt>) -> Vec<Mist
     found.into_iter().map(mistake).collect()
 }
 
+/// The number of these rows that depend on others of them.
+fn redundant_among(lcp: &Lcp, rows: &[usize]) -> usize {
+    let entry = |k: usize, l: usize| (k, l, lcp.matrix().entry(rows[k], rows[l]));
+    let all = (0..rows.len()).flat_map(|k| (0..rows.len()).map(move |l| (k, l)));
+    let entries: Vec<_> = all.map(|(k, l)| entry(k, l)).filter(|own| own.2 != 0.0).collect();
+    let part = Matrix::sparse(rows.len(), &entries);
+    regularity(&part).map_or(rows.len(), |found| found.dependencies.len())
+}
+
 /// All attempts on a problem.
 struct Attempts<'a> {
+    posed: &'a ProblemForm,
+    /// Its A, b and bounds.
     lcp: &'a Lcp,
     x: &'a [f64],
     limits: SweepLimits,
     redundant_rows: usize,
-    /// The scaled residual of x.
-    residual: f64,
+    /// The scaled residual of each row at x.
+    residuals: Vec<f64>,
     found: Vec<Attempt>,
     /// The limits of sweeps from 0 on the original problem: a solution, if they converge.
     last_iterates: Vec<Vec<f64>>,
@@ -303,36 +364,27 @@ impl Attempts<'_> {
         self.stopped(MistakeKind::SinglePrecision, name, swept);
     }
 
-    /// The same for cones and polygons.
-    fn unchanged_contacts(&mut self, problem: &ProblemForm, last: Option<&[f64]>) {
-        if let Some(last) = last {
-            self.last_unchanged(last);
-        }
-        self.start_unchanged();
-        if let Some(swept) = contact_sweep(problem, self.limits.of_problem, self.x) {
-            self.stopped(
-                MistakeKind::StoppedSweeps,
-                "projected Gauss-Seidel, contact by contact",
-                swept,
-            );
-        }
-    }
-
-    /// Sweeps on the original problem whose bounds are applied wrongly.
+    /// Sweeps on the original problem whose bounds are applied wrongly. They are compared with right
+    /// ones in their own order: right sweeps in another order may end at the same x by chance.
     fn flawed(&mut self) {
         let most = self.limits.of_problem;
         for flaw in Flaw::ALL {
-            let swept = flawed_sweeps(flaw, self.lcp, most, self.x);
-            // Where no bound acts, a wrong clamp changes nothing. Where it does, the first sweeps
-            // may be right ones, and only the end is not.
-            let is_other = |swept: &SweepMatch| {
-                let ends_wrong =
-                    swept.stays_at_nearest() && !self.last_iterates.contains(&swept.last);
-                ends_wrong || self.found.iter().all(|own| own.y != swept.nearest)
-            };
-            if let Some(swept) = swept.filter(is_other) {
+            let Some(swept) = flawed_sweeps(flaw, self.lcp, most, self.x) else { continue };
+            let right = sweep(&gauss_seidel(most), self.lcp, &Start::default(), self.x);
+            let ends_wrong = swept.stays_at_nearest() && !self.last_iterates.contains(&swept.last);
+            if ends_wrong || right.nearest != swept.nearest {
                 self.stopped(flaw.kind(), flaw.name(), swept);
             }
+        }
+    }
+
+    /// Flawed sweeps that differ from the first attempts, which are right ones. Where no bound acts,
+    /// a wrong clamp changes nothing. Where it does, the first sweeps may be right ones, and only
+    /// the end is not.
+    fn stopped_if_other(&mut self, kind: MistakeKind, name: &str, swept: SweepMatch, right: usize) {
+        let ends_wrong = swept.stays_at_nearest() && !self.last_iterates.contains(&swept.last);
+        if ends_wrong || self.found[..right].iter().all(|own| own.y != swept.nearest) {
+            self.stopped(kind, name, swept);
         }
     }
 
@@ -363,41 +415,98 @@ impl Attempts<'_> {
                 self.stopped(MistakeKind::MisplacedWarmStart, &name, swept);
             }
         }
-        if let Some((factor, swept)) = scaled_start(self.lcp, last, self.x) {
-            let factor = readable(factor, 6);
-            let what = match swept.sweeps {
-                0 => format!("the last answer times {factor}, not updated"),
-                _ => format!(
-                    "projected Gauss-Seidel from the last answer times {factor}, stopped after {}",
-                    counted(swept.sweeps, "sweep")
-                ),
-            };
-            let own = Attempt::new(MistakeKind::ScaledWarmStart, what, swept.nearest);
-            self.found.push(Attempt { fitted: 1, ..own });
-        }
+        let lcp = self.lcp;
+        self.scaled_warm_start(last, "projected Gauss-Seidel", |start, sweeps| {
+            gauss_seidel(sweeps).solve(lcp, &Start::at(start), &mut ()).x
+        });
+    }
+
+    /// Sweeps from a multiple of the last answer.
+    fn scaled_warm_start(
+        &mut self,
+        last: &[f64],
+        method: &str,
+        sweeps: impl Fn(&[f64], usize) -> Vec<f64>,
+    ) {
+        let Some((factor, swept)) = scaled_start(last, self.x, sweeps) else { return };
+        let factor = readable(factor, 6);
+        let what = match swept.sweeps {
+            0 => format!("the last answer times {factor}, not updated"),
+            _ => format!(
+                "{method} from the last answer times {factor}, stopped after {}",
+                counted(swept.sweeps, "sweep")
+            ),
+        };
+        let own = Attempt::new(MistakeKind::ScaledWarmStart, what, swept.nearest);
+        self.found.push(Attempt { fitted: 1, ..own });
     }
 
     /// What does not depend on the friction law: other laws, and answers that were changed.
-    fn of_any_law(&mut self, problem: &ProblemForm, solution: &[f64]) {
-        let friction = contacts_of(problem);
-        let contacts = friction.as_ref().map_or(&[][..], |own| own.contacts());
+    fn of_any_law(&mut self, solution: &[f64]) {
+        let own = Contacts::of(self.posed);
+        let contacts = own.as_ref().map_or(&[][..], |own| own.friction.contacts());
         self.found.extend(moved_answer::moved_answers(contacts, solution, self.x));
+        if self.redundant_rows > 0 {
+            self.moved_back(contacts);
+        }
         if !is_homogeneous(self.lcp) {
             self.found.extend(moved_answer::scaled(solution, self.x));
         }
         let mut all = Vec::new();
-        if let Some(friction) = friction.as_ref().filter(|own| !own.contacts().is_empty()) {
-            all.extend(other_laws(problem, friction));
+        if let Some(own) = own.as_ref().filter(|_| !contacts.is_empty()) {
+            all.extend(other_laws(self.posed, own));
         }
-        if !matches!(problem, ProblemForm::Boxed(_)) {
-            all.extend(variants(problem, self.x, solution));
+        if !matches!(self.posed, ProblemForm::Boxed(_)) {
+            all.extend(variants(self.posed, self.x, solution, self.redundant_rows > 0));
         }
-        for Variant { kind, what, posed, fitted } in all {
-            if let Some(y) = friction_law::solution(&posed) {
-                let own = Attempt::new(kind, format!("the solution with {what}"), y);
-                self.found.push(Attempt { fitted, ..own });
+        for variant in all {
+            let (kind, fitted) = (variant.kind, variant.fitted);
+            let what = format!("the solution with {}", variant.what);
+            if let Some(own) = self.judged(kind, &what, variant.residuals(self.x)) {
+                self.found.push(Attempt { fitted: own.fitted + fitted, ..own });
+            } else if let Some(y) = variant.solution() {
+                self.found.push(Attempt { fitted, ..Attempt::new(kind, what, y) });
             }
         }
+    }
+
+    /// x with its rows in another order solves the problem.
+    fn moved_back(&mut self, contacts: &[Contact]) {
+        let orders = moved_answer::orders(self.lcp.len(), contacts);
+        let count = orders.len();
+        for (what, order) in orders {
+            let moved: Vec<f64> = order.iter().map(|&i| self.x[i]).collect();
+            let residuals = friction_law::residuals(self.posed, &moved);
+            let own = self.judged_at(&moved, MistakeKind::OtherRows, &what, residuals);
+            if let Some(own) = own {
+                self.found.push(Attempt { sweeps: count, ..own });
+            }
+        }
+    }
+
+    /// x as an answer of a changed problem with these residuals, if rows are redundant: then x may
+    /// be another solution of it than a solver finds.
+    fn judged(&self, kind: MistakeKind, what: &str, residuals: Vec<f64>) -> Option<Attempt> {
+        let own = self.judged_at(self.x, kind, what, residuals);
+        own.filter(|_| self.redundant_rows > 0)
+    }
+
+    /// The same where the changed answer is `moved`. Its free rows that are redundant among
+    /// themselves leave as many entries of it free.
+    fn judged_at(
+        &self,
+        moved: &[f64],
+        kind: MistakeKind,
+        what: &str,
+        residuals: Vec<f64>,
+    ) -> Option<Attempt> {
+        let largest = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
+        let most = Settings::default().tolerance.min(largest(&self.residuals) / MUCH_SMALLER);
+        (largest(&residuals) <= most).then(|| Attempt {
+            fitted: redundant_among(self.lcp, &friction_law::free_rows(self.posed, moved)),
+            residuals: Some(residuals),
+            ..Attempt::new(kind, what.to_string(), self.x.to_vec())
+        })
     }
 
     /// Changed problems, solved, or swept from 0.
@@ -419,29 +528,25 @@ impl Attempts<'_> {
 
     /// Changed problems with a number fitted to x.
     fn fitted(&mut self, solution: &[f64]) {
-        let compliant = compliant(self.lcp, self.x).map(|(softness, lcp)| {
-            let size = readable(softness.abs(), 4);
-            match softness > 0.0 {
-                true => {
-                    let what = format!("compliance (CFM) {size} on the diagonal of A");
-                    (MistakeKind::Compliance, what, lcp)
-                }
-                false => {
-                    let what = format!("compliance (CFM) {size} left out of the diagonal of A");
-                    (MistakeKind::ComplianceLeftOut, what, lcp)
-                }
-            }
-        });
+        let free = free_rows(self.lcp, self.x);
+        let compliant = compliant(self.lcp, self.x, &free);
         let friction = with_factor_of_mu(self.lcp, self.x).map(|(factor, lcp)| {
             (MistakeKind::FactorOfMu, format!("μ times {}", readable(factor, 6)), lcp)
         });
-        let scaled = with_factor(self.lcp, self.x, solution, self.redundant_rows > 0).map(
-            |(factor, lcp)| {
+        // The solution of a multiple of b may be that multiple of another solution than this one.
+        let known = (self.redundant_rows == 0).then_some(None);
+        let ways = known.into_iter().chain([Some(&free[..])]);
+        let mut scaled: Vec<_> = ways
+            .filter_map(|some| {
+                let factor = factor_of_b(self.lcp, self.x, solution, some)?;
+                let b = self.lcp.b().iter().map(|b| factor * b).collect();
+                let lcp = self.lcp.with_b(b).ok()?;
                 let what =
                     format!("b times {} (check the time step and the unit)", readable(factor, 6));
-                (MistakeKind::FactorOfB, what, lcp)
-            },
-        );
+                Some((MistakeKind::FactorOfB, what, lcp))
+            })
+            .collect();
+        scaled.dedup_by(|(_, first, _), (_, second, _)| first == second);
         for (kind, what, lcp) in compliant.into_iter().chain(scaled).chain(friction) {
             self.solved(kind, &what, &lcp);
             if let Some(own) = self.found.last_mut().filter(|own| own.kind == kind) {
@@ -454,16 +559,22 @@ impl Attempts<'_> {
         self.found.push(Attempt::new(kind, what, y));
     }
 
-    /// The solution of a changed problem, if a solver finds it. If there may be several, x may be
-    /// one of them; redundant rows leave as many entries of it free.
+    /// The solution of a changed problem, if a solver finds it, or x if it is one.
     fn solved(&mut self, kind: MistakeKind, what: &str, changed: &Lcp) {
         let what = format!("the solution with {what}");
-        let most = Settings::default().tolerance.min(self.residual / MUCH_SMALLER);
-        if self.redundant_rows > 0 && merit::scaled_residual(changed, self.x) <= most {
-            let own = Attempt::new(kind, what, self.x.to_vec());
-            self.found.push(Attempt { fitted: self.redundant_rows, ..own });
-        } else if let Some(y) = solution(changed) {
-            self.add(kind, what, y);
+        let residuals = friction_law::residuals(&ProblemForm::Boxed(changed.clone()), self.x);
+        if let Some(own) = self.judged(kind, &what, residuals.clone()) {
+            self.found.push(own);
+            return;
+        }
+        let y = solution(changed);
+        let size = self.x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let is_near = y.as_ref().is_some_and(|y| distance(self.x, y) <= BESIDE * size);
+        // With coupled friction x may be another of several solutions without redundant rows too.
+        let other = self.judged_at(self.x, kind, &what, residuals);
+        match other.filter(|_| self.lcp.has_coupled_rows() && !is_near) {
+            Some(own) => self.found.push(own),
+            None => self.found.extend(y.map(|y| Attempt::new(kind, what, y))),
         }
     }
 

@@ -8,6 +8,8 @@ use super::{Attempt, LARGEST_LIST, MistakeKind};
 
 /// Values that agree to this fraction of the largest may be the same value in another row.
 const SAME: f64 = 1e-6;
+/// Maximum number of rows for which all pairs of rows are exchanged.
+const MOST_EXCHANGED: usize = 60;
 /// A factor that differs from 1 by less is none.
 const NO_FACTOR: f64 = 1e-9;
 
@@ -67,6 +69,58 @@ fn reordered(contacts: &[Contact], solution: &[f64]) -> Vec<Attempt> {
         }
     }
     all
+}
+
+/// Orders of rows that undo a mistake: row i of the answer is row `order[i]` of x. Rows or contacts
+/// shifted by one, reversed, or two of them exchanged.
+pub(super) fn orders(n: usize, contacts: &[Contact]) -> Vec<(String, Vec<usize>)> {
+    let mut all = vec![
+        ("a solution, each row with the value of the next".into(), shifted(n, n - 1)),
+        ("a solution, each row with the value of the one before".into(), shifted(n, 1)),
+        ("a solution in reverse order".into(), (0..n).rev().collect()),
+    ];
+    let count = contacts.len();
+    let moved = |pairs: &mut dyn Iterator<Item = (usize, usize)>| {
+        let mut order: Vec<usize> = (0..n).collect();
+        for (to, from) in pairs {
+            for (i, j) in contacts[to].rows.into_iter().zip(contacts[from].rows) {
+                order[i] = j;
+            }
+        }
+        order
+    };
+    if count > 1 {
+        for (what, by) in [("next", count - 1), ("previous", 1)] {
+            let order = moved(&mut (0..count).map(|k| (k, (k + by) % count)));
+            all.push((format!("a solution, each contact with the {what} one"), order));
+        }
+    }
+    if n <= MOST_EXCHANGED {
+        for (k, l) in pairs(count) {
+            let rows = [contacts[k].rows[0], contacts[l].rows[0]];
+            let what = format!(
+                "a solution with the contacts of rows {} and {} exchanged",
+                rows[0], rows[1]
+            );
+            all.push((what, moved(&mut [(k, l), (l, k)].into_iter())));
+        }
+        for (i, j) in pairs(n) {
+            let mut order: Vec<usize> = (0..n).collect();
+            order.swap(i, j);
+            all.push((format!("a solution with the values of rows {i}, {j} exchanged"), order));
+        }
+    }
+    all
+}
+
+/// Each row with the place of the one so many places farther.
+fn shifted(n: usize, by: usize) -> Vec<usize> {
+    (0..n).map(|i| (i + by) % n).collect()
+}
+
+/// All pairs of different numbers below this one.
+fn pairs(count: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..count).flat_map(move |i| (i + 1..count).map(move |j| (i, j)))
 }
 
 /// The values of the solution in the order of the values of x, if they are the same values.

@@ -1,7 +1,7 @@
 //! An answer that no mistake produced is not attributed to one.
 
 use lcplab_analysis::diagnosis::find_mistakes;
-use lcplab_lcp::friction::ProblemForm;
+use lcplab_lcp::friction::{ConeProblem, FrictionProblem, Law, ProblemForm};
 use oorandom::Rand64;
 
 use super::plain::{Rows, random};
@@ -75,4 +75,40 @@ fn no_mistake_is_named_for_answers_that_chance_made() {
         }
     }
     assert!(accused.is_empty(), "{} of {ANSWERS}: {:#?}", accused.len(), accused.first());
+}
+
+/// The same for answers near a solution under a polygon and under Coulomb's cone.
+#[test]
+fn no_mistake_is_named_for_answers_under_other_laws_that_chance_made() {
+    let mut accused = Vec::new();
+    let mut tried = 0;
+    for seed in 0..ANSWERS / 2 {
+        let mut generator = Rand64::new(u128::from(seed) + 77);
+        let (problem, _) = random(&mut generator, Rows::Friction);
+        let Some(solution) = problem.under_coulomb() else { continue };
+        let size = 10f64.powf(-7.0 + 4.0 * generator.rand_float());
+        let departure = match seed % 3 {
+            0 => Departure::Noise(size),
+            1 => Departure::OneEntry(size),
+            _ => Departure::Dust,
+        };
+        let written = match (seed / 3) % 4 {
+            0 | 1 => Written::Double,
+            2 => Written::Single,
+            _ => Written::Decimals(2 + (seed % 7) as i32),
+        };
+        let x = answer(&mut generator, &solution, departure, written);
+        let friction = FrictionProblem::of(&problem.lcp()).unwrap();
+        let posed = ProblemForm::Cone(ConeProblem::new(friction, Law::Coulomb));
+        let last: Vec<f64> = solution.iter().map(|x| x * (0.5 + generator.rand_float())).collect();
+        for last in [None, Some(&last[..])] {
+            let found = find_mistakes(&posed, &x, last);
+            if !found.mistakes.is_empty() {
+                accused.push((seed, departure, written, x.clone(), found));
+            }
+        }
+        tried += 1;
+    }
+    assert!(tried > 200, "{tried}");
+    assert!(accused.is_empty(), "{} of {tried}: {:#?}", accused.len(), accused.first());
 }
