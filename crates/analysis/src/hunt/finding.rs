@@ -15,6 +15,7 @@ use super::posing::frozen_at;
 use super::right::RightAnswer;
 use super::search::Counterexample;
 use crate::card::{Card, class_of};
+use crate::diagnosis::{Mistake, find_mistakes};
 
 /// Maximum number of solutions that are written out.
 const SHOWN: usize = 3;
@@ -37,6 +38,8 @@ pub struct Finding {
     pub answer: Option<Vec<f64>>,
     /// A correct x for comparison; `None` if none exists or none was found.
     pub right: Option<RightAnswer>,
+    /// The known mistakes that give the x of the solver, the nearest first.
+    pub mistakes: Vec<Mistake>,
     /// A Rust test that fails as long as the problem occurs; for a plug-in, a command whose exit
     /// code is 1 as long as it does. It ends without a newline.
     pub test: String,
@@ -65,6 +68,9 @@ impl Finding {
         let answer = given(&solution).then(|| solution.x.clone());
         let right =
             RightAnswer::of(posed.posed(), target.model, exact.as_deref(), answer.as_deref());
+        let mistakes = answer
+            .as_deref()
+            .map_or_else(Vec::new, |x| find_mistakes(posed.posed(), x, None).mistakes);
         let vector = |x: &[f64]| -> serde_json::Value { x.iter().map(|&x| number(x)).collect() };
         problem.extra.insert(
             "hunt".into(),
@@ -82,7 +88,7 @@ impl Finding {
         let model = target.model.map_or(String::new(), |model| format!(" under {model}"));
         let words = format!("{happens}. The problem{model} has {card}.{truth}");
         let test = test(&problem, target, counterexample, right.as_ref());
-        Finding { problem, words, answer, right, test, solver: solver.into() }
+        Finding { problem, words, answer, right, mistakes, test, solver: solver.into() }
     }
 
     /// The solver's x and the correct one, row by row; empty if there is neither.
@@ -104,10 +110,15 @@ impl Finding {
         if rows > Self::PRINTED_ROWS {
             text += &format!("       and {} more rows\n", rows - Self::PRINTED_ROWS);
         }
-        match right {
-            Some(right) => text + &format!("  correct x: {}\n", right.source),
-            None => text,
+        if let Some(right) = right {
+            text += &format!("  correct x: {}\n", right.source);
         }
+        for mistake in &self.mistakes {
+            let gives = if mistake.may_be_chance { "may give" } else { "gives" };
+            text +=
+                &format!("  a known mistake {gives} the x of {}: {}\n", self.solver, mistake.what);
+        }
+        text
     }
 
     /// Maximum number of rows of the answers that are printed.

@@ -402,7 +402,7 @@ fn most_iterations(target: &Target, before: &Score) -> usize {
 
 /// A random problem of a family that has such sizes.
 fn family(random: &mut Random, rows: RangeInclusive<usize>) -> Option<Lcp> {
-    let families: Vec<_> = library::all().collect();
+    let families: Vec<_> = library::without_games().collect();
     let family = families[random.whole(0, families.len() as i64 - 1) as usize];
     let n = random.whole(*rows.start() as i64, *rows.end() as i64) as f64;
     let seed = random.whole(1, 1000) as f64;

@@ -4,6 +4,7 @@
 mod definitions;
 mod planted;
 
+use lcplab_analysis::diagnosis::MistakeKind;
 use lcplab_analysis::hunt::{
     Counterexample, Finding, Friction, Given, Measure, Search, SearchResult, Target,
 };
@@ -149,6 +150,26 @@ fn a_planted_bug_is_found_with_its_own_answer_and_the_right_one() {
                 finding.test.starts_with("lcplab solve PROBLEM") && !finding.test.ends_with('\n')
             );
         }
+    }
+}
+
+/// The planted mistakes that have a name are named under the answers; μ/√2 is a factor of μ.
+#[test]
+fn the_mistake_behind_what_was_found_is_named() {
+    use MistakeKind::{ClampedIncrements, FactorOfMu, FirstFriction};
+    for (bug, kind) in [
+        (Sweeps::MuSquared, FactorOfMu),
+        (Sweeps::FirstBound, FirstFriction),
+        (Sweeps::ClampedIncrements, ClampedIncrements),
+        (Sweeps::OverRootTwo, FactorOfMu),
+    ] {
+        let target = target(engine(bug, 200, true), MatrixClass::Definite, true);
+        let counterexample = result(&target, 1, 2000).counterexample.expect("a false claim");
+        let finding = Finding::of(&counterexample, &target, 1);
+        assert!(finding.mistakes.iter().any(|own| own.kind == kind), "{bug:?}: {finding:?}");
+        let (text, first) = (finding.answers(), &finding.mistakes[0].what);
+        let line = format!("  a known mistake gives the x of engine: {first}\n");
+        assert!(text.contains(&line), "{text}");
     }
 }
 

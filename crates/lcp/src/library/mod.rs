@@ -196,10 +196,24 @@ pub fn all() -> impl Iterator<Item = &'static dyn Family> {
         boxes::FAMILIES,
         friction::FAMILIES,
         painleve::FAMILIES,
-        games::FAMILIES,
     ];
     let generated = generated.into_iter().flatten().map(|family| family as &dyn Family);
-    generated.chain(published::ALL.iter().map(|problem| problem as &dyn Family))
+    let games = games::FAMILIES.iter().map(|family| family as &dyn Family);
+    let published = published::ALL.iter().map(|problem| problem as &dyn Family);
+    generated.chain(published).chain(games)
+}
+
+/// All families but games, whose size counts strategies and not rows.
+///
+/// ```
+/// use lcplab_lcp::library;
+///
+/// assert!(library::without_games().any(|family| family.name() == "fathi"));
+/// assert!(!library::without_games().any(|family| family.name() == "bimatrix-game"));
+/// ```
+pub fn without_games() -> impl Iterator<Item = &'static dyn Family> {
+    let is_game = |name: &str| games::FAMILIES.iter().any(|game| game.name() == name);
+    all().filter(move |family| !is_game(family.name()))
 }
 
 /// The family of this name.
