@@ -66,8 +66,9 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
             &["loads", "methods"],
             &["friction"],
             &["families", "profiles", "tasks"],
-            &["comparison", "hunt", "receipt", "regression"],
+            &["comparison", "receipt", "regression"],
             &["explain", "diagnosis"],
+            &["hunt"],
         ],
     ),
 ];

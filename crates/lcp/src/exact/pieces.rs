@@ -79,9 +79,9 @@ impl Pieces {
         self.choices.iter().map(&mut digit).collect()
     }
 
-    /// Calls `look` with each piece in which the range of every w_i, for x within its bounds, allows
-    /// the sign that its side asks for; no other piece has a solution. Rows get their sides one by
-    /// one, and a row that is impossible ends all pieces with the sides so far.
+    /// Calls `look` with each piece in which the range of every w_i, for x within its bounds,
+    /// allows the sign that its side asks for; no other piece has a solution. Rows get their sides
+    /// one by one, and a row that is impossible ends all pieces with the sides so far.
     pub(super) fn each_possible(&self, lcp: &Lcp, look: &mut dyn FnMut(&[Side])) {
         let ranges = Ranges::new(lcp);
         let mut sides = Vec::with_capacity(self.choices.len());

@@ -65,8 +65,8 @@ pub(super) fn with_last_normals(lcp: &Lcp, last: &[f64]) -> Option<Changed> {
     Changed::new(MistakeKind::LastNormals, what, frozen)
 }
 
-/// A + ε I instead of A, with the ε that makes w = −ε x in the `free` rows, as closely as one number
-/// can; compliance left out if ε is negative.
+/// A + ε I instead of A, with the ε that makes w = −ε x in the `free` rows, as closely as one
+/// number can; compliance left out if ε is negative.
 pub(super) fn compliant(
     lcp: &Lcp,
     x: &[f64],

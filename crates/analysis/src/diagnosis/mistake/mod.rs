@@ -273,7 +273,7 @@ struct Posed<'a> {
 
 impl Posed<'_> {
     /// Whether y violates the problem as x does. If y is right, or nearly, the error of x is its
-    /// own, however near y is: where solutions are many, the answer of a mistake may be one of them.
+    /// own, however near y is: of many solutions, the answer of a mistake may be one.
     fn is_violated_alike(&self, y: &[f64]) -> bool {
         let largest = self.residuals.iter().copied().fold(0.0, f64::max);
         let part = if self.redundant > 0 { OWN_ERROR_OF_MOTION } else { OWN_ERROR };
@@ -364,8 +364,8 @@ impl Attempts<'_> {
         self.stopped(MistakeKind::SinglePrecision, name, swept);
     }
 
-    /// Sweeps on the original problem whose bounds are applied wrongly. They are compared with right
-    /// ones in their own order: right sweeps in another order may end at the same x by chance.
+    /// Sweeps on the original problem whose bounds are applied wrongly. They are compared with
+    /// right ones in their own order: those in another order may end at the same x by chance.
     fn flawed(&mut self) {
         let most = self.limits.of_problem;
         for flaw in Flaw::ALL {
@@ -378,9 +378,9 @@ impl Attempts<'_> {
         }
     }
 
-    /// Flawed sweeps that differ from the first attempts, which are right ones. Where no bound acts,
-    /// a wrong clamp changes nothing. Where it does, the first sweeps may be right ones, and only
-    /// the end is not.
+    /// Flawed sweeps that differ from the first attempts, which are right ones. Where no bound
+    /// acts, a wrong clamp changes nothing. Where it does, the first sweeps may be right ones, and
+    /// only the end is not.
     fn stopped_if_other(&mut self, kind: MistakeKind, name: &str, swept: SweepMatch, right: usize) {
         let ends_wrong = swept.stays_at_nearest() && !self.last_iterates.contains(&swept.last);
         if ends_wrong || self.found[..right].iter().all(|own| own.y != swept.nearest) {

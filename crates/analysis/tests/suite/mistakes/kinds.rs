@@ -1,5 +1,5 @@
-//! Mistakes of contact solvers under boxes, polygons and cones, planted by textbook code that shares
-//! nothing with the diagnosis.
+//! Mistakes of contact solvers under boxes, polygons and cones, planted by textbook code that
+//! shares nothing with the diagnosis.
 
 use lcplab_analysis::diagnosis::{MistakeKind, MistakeSearch, find_mistakes};
 use lcplab_lcp::friction::{ConeProblem, FrictionProblem, Law, Polyhedral, ProblemForm};
