@@ -20,22 +20,25 @@ pub fn prove(
     py: Python<'_>,
     problem: &Problem,
     answer: Option<PyReadonlyArray1<'_, f64>>,
+    second: Option<PyReadonlyArray1<'_, f64>>,
     kind: Option<&str>,
     model: Option<String>,
 ) -> PyResult<Proved> {
     let kind: Option<Kind> = kind.map(str::parse).transpose().map_err(refused)?;
     let lcp = &problem.0.lcp;
-    let answer = answer.map(|answer| answer.as_array().to_vec());
-    if let Some(n) = answer.as_ref().map(Vec::len).filter(|n| *n != lcp.len()) {
+    let [answer, second] = [answer, second].map(|own| own.map(|own| own.as_array().to_vec()));
+    let wrong = [&answer, &second].into_iter().flatten().map(Vec::len).find(|n| *n != lcp.len());
+    if let Some(n) = wrong {
         let reason = format!("has length {n}, the problem has {} rows", lcp.len());
         return Err(refused(Error::invalid("answer", "x", reason)));
     }
     let question = question(problem, model, None)?;
     let found = py.detach(|| {
         let answer = answer.unwrap_or_else(|| first_answer(&question));
-        match kind {
-            None => proof::prove(&question, &answer),
-            Some(kind) => proof::prove_kind(&question, &answer, kind),
+        match (second, kind) {
+            (Some(second), _) => proof::prove_different(&question, &answer, &second),
+            (None, None) => proof::prove(&question, &answer),
+            (None, Some(kind)) => proof::prove_kind(&question, &answer, kind),
         }
     });
     if let Some(reason) = found.refusal(&question) {
@@ -69,10 +72,9 @@ type Faces = (Vec<Vec<String>>, Vec<Vec<String>>, Vec<(Vec<usize>, Vec<usize>)>)
 pub fn solutions(py: Python<'_>, problem: &Problem, model: Option<String>) -> PyResult<Faces> {
     let question = question(problem, model, None)?;
     let lcp = question.require_boxed("all solutions can be listed", "problem").map_err(refused)?;
-    let set = py.detach(|| SolutionSet::of(lcp)).ok_or_else(|| {
-        let reason = "has more than 531,441 active sets, too many to try";
-        refused(Error::invalid("problem", "rows", reason))
-    })?;
+    let set = py
+        .detach(|| SolutionSet::of(lcp))
+        .map_err(|many| refused(Error::invalid("problem", "rows", many.to_string())))?;
     let exact = |points: &[Vec<_>]| {
         let point = |point: &Vec<_>| point.iter().map(ToString::to_string).collect();
         points.iter().map(point).collect()

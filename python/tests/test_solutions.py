@@ -109,6 +109,8 @@ def test_thirds_are_exact():
 def test_large_problems_and_cones_are_refused():
     with pytest.raises(lcplab.InputError, match="531,441"):
         solutions(Problem(np.eye(20), -np.ones(20)))
+    with pytest.raises(lcplab.InputError, match="more than 1,024 solutions"):
+        solutions(Problem(-np.eye(12), np.zeros(12), lo=-1, hi=1))
     cone = Problem(np.eye(3), [-2, -3, 0], friction_index=[-1, 0, 0], mu=[0, 0.5, 0.5], model="coulomb-cone")
     with pytest.raises(lcplab.InputError, match="all solutions can be listed about boxes only"):
         solutions(cone)

@@ -9,7 +9,7 @@ use lcplab::lcp::Question;
 use lcplab::lcp::exact::SolutionSet;
 use lcplab::lcp::file::read_answer;
 use lcplab::lcp::friction::{Form, Model, ProblemForm};
-use lcplab::proof::{Kind, Proof, ProofSearch, check, prove, prove_kind};
+use lcplab::proof::{Kind, Proof, ProofSearch, check, prove, prove_different, prove_kind};
 use lcplab::report::answer::first_answer;
 use serde_json::json;
 
@@ -27,14 +27,16 @@ Examples:
   lcplab prove incline.json --out proof.html           # a page with a button that checks it
   lcplab prove tower.json --kind motion   # a bound on the difference from the exact motion
   lcplab prove game.json --all            # every solution of a small problem
+  lcplab prove transport.json plan_a.json plan_b.json   # two known answers: the solution is not unique
 
 From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, cone-solution, motion, \
 within. \
 The first kind that can be proved is written; for each stronger kind the output says why it was not proved. \
 For a problem of up to 24 rows, lcplab also searches all active sets for a second solution, within about half a minute; \
 the output says whether there is one. \
-With --all, lcplab lists all solutions of a problem of up to 19 rows if each has one finite bound, or of up to 12 rows \
-if they have two. \
+With two answers, it proves not-unique from both. \
+With --all, lcplab lists all solutions, up to 1,024, of a problem of up to 19 rows if each has one finite bound, or of up to 12 \
+rows if they have two. \
 docs/proofs.md says what each kind proves. Most proofs are about boxes: under a friction cone, no-solution, \
 solution and cone-solution can be proved, under a polygon only no-solution (although the judge can prove an answer under a polygon).
 
@@ -47,6 +49,9 @@ pub struct Prove {
     problem: PathBuf,
     /// Answer to start from, a file with the key x [default: solve the problem first]
     answer: Option<PathBuf>,
+    /// A second answer: prove that both are solutions, and different (not-unique)
+    #[arg(conflicts_with = "kind")]
+    second: Option<PathBuf>,
     /// Friction model [default: the file's]
     #[arg(long)]
     model: Option<Model>,
@@ -58,7 +63,7 @@ pub struct Prove {
     #[arg(long)]
     out: Option<PathBuf>,
     /// List all solutions instead, in exact arithmetic
-    #[arg(long, conflicts_with_all = ["answer", "kind", "out"])]
+    #[arg(long, conflicts_with_all = ["answer", "second", "kind", "out"])]
     all: bool,
     /// With --all: print one JSON object
     #[arg(long, requires = "all")]
@@ -102,13 +107,15 @@ impl Prove {
         if self.all {
             return self.all_solutions(&question, &input);
         }
+        let read = |path: &PathBuf| read_answer(path, problem.lcp.len(), memory);
         let answer = match &self.answer {
-            Some(path) => read_answer(path, problem.lcp.len(), memory)?,
+            Some(path) => read(path)?,
             None => first_answer(&question),
         };
-        let found = match self.kind {
-            None => prove(&question, &answer),
-            Some(kind) => prove_kind(&question, &answer, kind),
+        let found = match (&self.second, self.kind) {
+            (Some(path), _) => prove_different(&question, &answer, &read(path)?),
+            (None, None) => prove(&question, &answer),
+            (None, Some(kind)) => prove_kind(&question, &answer, kind),
         };
         if let Some(reason) = found.refusal(&question) {
             let advice = match (self.kind, question.posed()) {
@@ -141,10 +148,8 @@ impl Prove {
     /// Lists all solutions.
     fn all_solutions(&self, question: &Question, input: &str) -> Result<Outcome> {
         let lcp = question.require_boxed("all solutions can be listed", input)?;
-        let set = SolutionSet::of(lcp).ok_or_else(|| {
-            let reason = "has more than 531,441 active sets, too many to try";
-            Error::invalid(input, "problem", reason)
-        })?;
+        let set = SolutionSet::of(lcp)
+            .map_err(|many| Error::invalid(input, "problem", many.to_string()))?;
         print(&if self.json { solutions::to_json(&set) } else { solutions::words(&set) })?;
         Ok(if set.corners.is_empty() { Outcome::Refuted } else { Outcome::Good })
     }

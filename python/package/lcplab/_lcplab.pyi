@@ -114,7 +114,11 @@ def hunt(
     start: list[Problem],
 ) -> dict[str, Any]: ...
 def prove(
-    problem: Problem, answer: NDArray[np.float64] | None, kind: str | None, model: str | None
+    problem: Problem,
+    answer: NDArray[np.float64] | None,
+    second: NDArray[np.float64] | None,
+    kind: str | None,
+    model: str | None,
 ) -> tuple[tuple[str, str] | None, list[tuple[str, str]]]: ...
 def check(problem: Problem, text: str, model: str | None) -> str | None: ...
 def solutions(

@@ -50,11 +50,17 @@ class Proof:
 
 
 def prove(
-    problem: Problem, x: ArrayLike | None = None, *, kind: str | None = None, model: str | None = None
+    problem: Problem,
+    x: ArrayLike | None = None,
+    second: ArrayLike | None = None,
+    *,
+    kind: str | None = None,
+    model: str | None = None,
 ) -> Proof:
     """Prove the strongest possible statement about a problem, or the given ``kind``.
 
-    The search starts from the answer ``x``, if it is given. ``model`` replaces the friction model of the problem. Most
+    The search starts from the answer ``x``, if it is given. With a ``second`` answer it proves that both are solutions,
+    and different; ``kind`` is then ``None`` or ``"not-unique"``. ``model`` replaces the friction model of the problem. Most
     proofs are about boxes. For cones lcplab can prove that a solution exists near ``x``, or that no solution exists, and for
     polygons that no solution exists; otherwise it raises :class:`InputError`.
 
@@ -62,9 +68,13 @@ def prove(
     --------
     >>> prove(Problem([[2, -1], [-1, 2]], [-1, 2]))
     <lcplab.Proof unique: exactly one solution exists>
+    >>> prove(Problem([[1, 1], [1, 1]], [-1, -1]), [1, 0], [0.25, 0.75])
+    <lcplab.Proof not-unique: two different solutions exist>
     """
-    answer = None if x is None else vector(x, "x")
-    proof, missing = _lcplab.prove(problem._inner, answer, kind, model)
+    if second is not None and (x is None or kind not in (None, "not-unique")):
+        raise ValueError("a second answer needs a first one, and the kind not-unique")
+    answers = [None if own is None else vector(own, name) for own, name in ((x, "x"), (second, "second"))]
+    proof, missing = _lcplab.prove(problem._inner, *answers, kind, model)
     text, claim = proof if proof is not None else (None, "nothing")
     return Proof(text, claim, dict(missing))
 

@@ -92,12 +92,12 @@ def solutions(problem: Problem, *, model: str | None = None) -> Solutions:
     """List all solutions of a problem, in exact arithmetic.
 
     The problem may have up to 531,441 active sets: 19 contacts without friction, or 12 rows with two bounds; rows without
-    bounds do not count. ``model`` replaces the friction model of the problem, which must be a box.
+    bounds do not count. It may have up to 1,024 corners. ``model`` replaces the friction model of the problem, which must be a box.
 
     Raises
     ------
     InputError
-        If the problem is too large or has friction cones.
+        If the problem is too large, has too many solutions, or has friction cones.
 
     Examples
     --------

@@ -193,3 +193,43 @@ fn a_negative_distance_bound_or_residual_is_bad_input_in_one_line() {
         assert_eq!(lcpcheck(&[&problem, &proof], &[]).status.code(), Some(1));
     }
 }
+
+/// The same contact twice: any shares of the load solve it, and two answers prove that.
+#[test]
+fn two_answers_prove_that_the_solution_is_not_unique() {
+    let (folder, problem, proof) = folder(r#"{"A": {"dense": [[1, 1], [1, 1]]}, "b": [-1, -1]}"#);
+    let [first, second, wrong] = ["a", "b", "c"].map(|name| folder.path().join(name));
+    for (file, x) in [(&first, "[1, 0]"), (&second, "[0.25, 0.75]"), (&wrong, "[1, 1]")] {
+        fs::write(file, format!("{{\"x\": {x}}}")).unwrap();
+    }
+    let write = ["--out", proof.to_str().unwrap()];
+    let proved = lcplab("prove", &[&problem, &first, &second], &write);
+    assert_eq!(proved.status.code(), Some(0), "{}", err(&proved));
+    assert_eq!(out(&proved), "not-unique: two different solutions exist\n");
+    assert_eq!(lcpcheck(&[&problem, &proof], &[]).status.code(), Some(0));
+    let refused = lcplab("prove", &[&problem, &first, &wrong], &[]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(err(&refused).contains("not-unique: the second answer"), "{}", err(&refused));
+}
+
+/// w = −x between −1 and 1: twelve rows with three solutions each.
+#[test]
+fn more_solutions_than_can_be_listed_are_refused_in_one_line() {
+    let row = |i: usize| (0..12).map(move |j| if i == j { "-1" } else { "0" });
+    let rows: Vec<String> =
+        (0..12).map(|i| format!("[{}]", row(i).collect::<Vec<_>>().join(","))).collect();
+    let all = |value: &str| format!("[{}]", [value; 12].join(","));
+    let text = format!(
+        r#"{{"A": {{"dense": [{}]}}, "b": {}, "lo": {}, "hi": {}}}"#,
+        rows.join(","),
+        all("0"),
+        all("-1"),
+        all("1")
+    );
+    let (_folder, problem, _) = folder(&text);
+    let refused = lcplab("prove", &[&problem], &["--all"]);
+    assert_eq!(refused.status.code(), Some(2), "{}", err(&refused));
+    let told = "has more than 1,024 solutions, too many to list";
+    assert!(err(&refused).trim_end().ends_with(told), "{}", err(&refused));
+    assert_eq!(err(&refused).lines().count(), 1, "{}", err(&refused));
+}

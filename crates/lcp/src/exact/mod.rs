@@ -25,7 +25,7 @@ mod solution_set;
 pub use dyadic::rounded_up;
 pub use pieces::{Pieces, all_solutions};
 pub use point::Point;
-pub use solution_set::{Face, SolutionSet};
+pub use solution_set::{Face, SolutionSet, TooMany};
 
 use super::Lcp;
 use dashu_int::IBig;

@@ -6,6 +6,9 @@
 //! everywhere, and an x_i that is at a bound between two points inside is there everywhere. A ray d
 //! belongs to a corner x if x + t d is a solution for all t ≥ 0.
 
+use std::collections::HashSet;
+use std::fmt;
+
 use dashu_ratio::RBig;
 
 use super::dyadic::{Dyadic, dyadic};
@@ -15,6 +18,26 @@ use crate::Lcp;
 
 /// Limit on the number of pieces: 3¹².
 const MOST_PIECES: usize = 531_441;
+/// Limit on the number of corners, each pair of which is examined.
+const MOST_CORNERS: usize = 1024;
+
+/// Why a set of solutions is not listed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TooMany {
+    /// More than 531,441 pieces: 19 contacts, or 12 rows with two bounds.
+    Pieces,
+    /// More than 1,024 corners.
+    Corners,
+}
+
+impl fmt::Display for TooMany {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            TooMany::Pieces => "has more than 531,441 active sets, too many to try",
+            TooMany::Corners => "has more than 1,024 solutions, too many to list",
+        })
+    }
+}
 
 /// All solutions of a problem.
 ///
@@ -72,15 +95,17 @@ impl Face {
 }
 
 impl SolutionSet {
-    /// The set; `None` if there are more than 531,441 pieces: 19 contacts, or 12 rows with two
-    /// bounds.
-    pub fn of(lcp: &Lcp) -> Option<Self> {
+    /// The set.
+    ///
+    /// # Errors
+    /// If there are too many pieces or too many corners.
+    pub fn of(lcp: &Lcp) -> Result<Self, TooMany> {
         let exact = Exact::new(lcp);
         let corners = points(lcp)?;
         let (cone, rays) = rays(lcp)?;
         let (faces, rays) = with_corners(faces(&exact, &cone, &corners, &rays), rays);
         let entries = |points: &[Point]| points.iter().map(Point::entries).collect();
-        Some(SolutionSet { corners: entries(&corners), rays: entries(&rays), faces })
+        Ok(SolutionSet { corners: entries(&corners), rays: entries(&rays), faces })
     }
 
     /// Whether there is exactly one solution.
@@ -90,41 +115,41 @@ impl SolutionSet {
 }
 
 /// The corners, each once.
-fn points(lcp: &Lcp) -> Option<Vec<Point>> {
-    let pieces = Pieces::at_most(lcp, MOST_PIECES)?;
-    let (mut all, mut known): (Vec<Point>, Vec<Vec<RBig>>) = Default::default();
+fn points(lcp: &Lcp) -> Result<Vec<Point>, TooMany> {
+    let pieces = Pieces::at_most(lcp, MOST_PIECES).ok_or(TooMany::Pieces)?;
+    let mut all: Vec<Point> = Vec::new();
+    let mut known: HashSet<Vec<RBig>> = HashSet::new();
     pieces.each_possible(lcp, &mut |sides| {
-        for point in pieces.solutions(sides) {
-            let entries = point.entries();
-            if !known.contains(&entries) {
-                known.push(entries);
-                all.push(point);
-            }
+        if all.len() <= MOST_CORNERS {
+            all.extend(pieces.solutions(sides).into_iter().filter(|p| known.insert(p.entries())));
         }
     });
-    Some(all)
+    if all.len() > MOST_CORNERS { Err(TooMany::Corners) } else { Ok(all) }
 }
 
 /// The problem with b = 0 whose finite bounds are 0, and the rays, each scaled to 1 in one of its
 /// rows: solutions d of this problem. A friction row has a direction only together with its normal
 /// row.
-fn rays(lcp: &Lcp) -> Option<(Exact, Vec<Point>)> {
+fn rays(lcp: &Lcp) -> Result<(Exact, Vec<Point>), TooMany> {
     let zero = |bound: &f64| if bound.is_finite() { 0.0 } else { *bound };
     let (lo, hi): (Vec<f64>, Vec<f64>) =
         (lcp.lo().iter().map(zero).collect(), lcp.hi().iter().map(zero).collect());
-    let bounded = |lo, hi| lcp.homogeneous().with_bounds(lo, hi).ok();
-    let directions = bounded(lo.clone(), hi.clone())?;
+    let bounded = |lo, hi| {
+        lcp.homogeneous().with_bounds(lo, hi).expect("the bounds 0, ±1 and ±∞ are in order")
+    };
+    let directions = bounded(lo.clone(), hi.clone());
     let cone = Exact::new(&directions);
-    if Pieces::at_most(&directions, MOST_PIECES)?.are_regular() {
-        return Some((cone, Vec::new())); // 0 is the only solution
+    if Pieces::at_most(&directions, MOST_PIECES).ok_or(TooMany::Pieces)?.are_regular() {
+        return Ok((cone, Vec::new())); // 0 is the only solution
     }
     let (mut all, mut known): (Vec<Point>, Vec<Vec<RBig>>) = Default::default();
     for i in (0..lcp.len()).filter(|&i| !lcp.is_coupled(i)) {
         for side in [1.0, -1.0].into_iter().filter(|side| lo[i] <= *side && *side <= hi[i]) {
             let (mut lo, mut hi) = (lo.clone(), hi.clone());
             (lo[i], hi[i]) = (side, side);
-            for point in points(&bounded(lo, hi)?)?.into_iter().filter(|d| cone.is_solved_by(d)) {
-                let largest = point.entries().iter().map(|d| d.clone().max(-d)).max()?;
+            for point in points(&bounded(lo, hi))?.into_iter().filter(|d| cone.is_solved_by(d)) {
+                let largest =
+                    point.entries().iter().map(|d| d.clone().max(-d)).max().unwrap_or(RBig::ONE);
                 let direction: Vec<RBig> = point.entries().iter().map(|d| d / &largest).collect();
                 if !known.contains(&direction) {
                     known.push(direction);
@@ -133,7 +158,7 @@ fn rays(lcp: &Lcp) -> Option<(Exact, Vec<Point>)> {
             }
         }
     }
-    Some((cone, all))
+    Ok((cone, all))
 }
 
 /// Whether x + t d is a solution for all t ≥ 0: d solves the problem with b = 0 whose finite bounds
@@ -154,7 +179,6 @@ fn is_ray(exact: &Exact, cone: &Exact, x: &Point, d: &Point) -> bool {
 fn faces(exact: &Exact, cone: &Exact, corners: &[Point], rays: &[Point]) -> Vec<Face> {
     let count = corners.len();
     let joined = |i: usize, j: usize| match j.checked_sub(count) {
-        _ if i == j => true,
         None => {
             let (x, y) = (&corners[i], &corners[j]);
             // Three times the point at a third of the way.
@@ -170,8 +194,13 @@ fn faces(exact: &Exact, cone: &Exact, corners: &[Point], rays: &[Point]) -> Vec<
         }
     };
     let all = count + rays.len();
-    let is_joined: Vec<Vec<bool>> =
-        (0..all).map(|i| (0..all).map(|j| joined(i.min(j), i.max(j))).collect()).collect();
+    let mut is_joined = vec![vec![true; all]; all];
+    for i in 0..all {
+        for j in i + 1..all {
+            is_joined[i][j] = joined(i, j);
+            is_joined[j][i] = is_joined[i][j];
+        }
+    }
     let mut sets = Vec::new();
     extend(&is_joined, Vec::new(), (0..all).collect(), Vec::new(), &mut sets);
     let face = |set: Vec<usize>| {

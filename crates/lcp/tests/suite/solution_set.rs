@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 use lcplab_lcp::exact::dyadic::dyadic;
-use lcplab_lcp::exact::{Exact, Face, Point, SolutionSet};
+use lcplab_lcp::exact::{Exact, Face, Point, SolutionSet, TooMany};
 use lcplab_lcp::{Lcp, Matrix};
 
 const INF: f64 = f64::INFINITY;
@@ -140,12 +140,28 @@ fn twelve_rows_with_two_bounds_have_all_their_solutions() {
     assert!(found.corners.iter().all(|x| x[3..].iter().all(|x| *x == half)));
 }
 
-/// A = −I with b = 0: no row decides any other, and every one has x_i = −1, 0 or 1. The ranges of w
-/// rule out no piece.
-#[test]
-fn a_problem_of_too_many_pieces_has_no_set() {
-    let n = 13;
+/// w_i = −x_i between −1 and 1: no row decides any other, and every one has x_i = −1, 0 or 1. The
+/// ranges of w rule out no piece.
+fn rows_on_their_own(n: usize) -> Lcp {
     let a: Vec<f64> = (0..n * n).map(|k| if k / n == k % n { -1.0 } else { 0.0 }).collect();
-    let lcp = Lcp::new(Matrix::dense(n, &a), vec![0.0; n], vec![-1.0; n], vec![1.0; n]).unwrap();
-    assert!(SolutionSet::of(&lcp).is_none());
+    Lcp::new(Matrix::dense(n, &a), vec![0.0; n], vec![-1.0; n], vec![1.0; n]).unwrap()
+}
+
+#[test]
+fn a_problem_of_too_many_pieces_or_solutions_has_no_set() {
+    assert_eq!(SolutionSet::of(&rows_on_their_own(6)).unwrap().corners.len(), 729);
+    // 3⁷ = 2,187 solutions; 3¹² of them; 3¹³ pieces.
+    for (n, why) in [(7, TooMany::Corners), (12, TooMany::Corners), (13, TooMany::Pieces)] {
+        assert_eq!(SolutionSet::of(&rows_on_their_own(n)).err(), Some(why), "{n}");
+    }
+}
+
+/// w_i = 1 − x_i ≥ 0: every row has x_i = 0 or 1.
+#[test]
+fn as_many_solutions_as_are_allowed_are_all_listed() {
+    let n = 10;
+    let a: Vec<f64> = (0..n * n).map(|k| if k / n == k % n { -1.0 } else { 0.0 }).collect();
+    let found = set(&a, &vec![1.0; n], 0.0, f64::INFINITY);
+    assert_eq!(found.corners.len(), 1024);
+    assert!(found.faces.iter().all(Face::is_isolated));
 }
