@@ -92,7 +92,8 @@ def solutions(problem: Problem, *, model: str | None = None) -> Solutions:
     """List all solutions of a problem, in exact arithmetic.
 
     The problem may have up to 531,441 active sets: 19 contacts without friction, or 12 rows with two bounds; rows without
-    bounds do not count. It may have up to 1,024 corners. ``model`` replaces the friction model of the problem, which must be a box.
+    bounds do not count. It may have up to 1,024 corners. ``model`` replaces the friction model of the problem, which
+    must be a box.
 
     Raises
     ------
