@@ -105,6 +105,6 @@ def solutions(problem: Problem, *, model: str | None = None) -> Solutions:
     >>> one_load_on_two_supports = Problem([[1, 1], [1, 1]], [-1, -1])
     >>> found = solutions(one_load_on_two_supports)
     >>> found, found.is_unique, found.x.tolist()
-    (<lcplab.Solutions: infinitely many, in 1 face>, False, [[1.0, 0.0], [0.0, 1.0]])
+    (<lcplab.Solutions: infinitely many, in 1 face>, False, [[0.0, 1.0], [1.0, 0.0]])
     """
     return Solutions(len(problem), *_lcplab.solutions(problem._inner, model))

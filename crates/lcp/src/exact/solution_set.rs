@@ -49,7 +49,7 @@ impl fmt::Display for TooMany {
 /// let a = Matrix::dense(2, &[1.0; 4]);
 /// let lcp = Lcp::new(a, vec![-1.0; 2], vec![0.0; 2], vec![f64::INFINITY; 2])?;
 /// let set = SolutionSet::of(&lcp).unwrap();
-/// assert_eq!(set.corners, [[1.into(), 0.into()], [0.into(), 1.into()]]);
+/// assert_eq!(set.corners, [[0.into(), 1.into()], [1.into(), 0.into()]]);
 /// assert_eq!(set.faces.len(), 1);
 /// assert!(!set.is_unique());
 /// # Ok::<(), lcplab_lcp::error::Error>(())
