@@ -57,10 +57,13 @@ fn the_mistake_behind_an_answer_is_named_with_the_exit_code_of_the_judge() {
     let told = run(&["diagnose", &file("polygon.json", polygon), &boxed]);
     assert_eq!(told.status.code(), Some(1));
     let text = String::from_utf8(told.stdout).unwrap();
-    assert!(
-        text.contains("exactly this x: the solution with friction under the model coupled-box."),
-        "{text}"
-    );
+    // Sweeps that clamp each tangent on its own solve the box.
+    for name in [
+        "projected Gauss-Seidel with each tangent clamped on its own, after 1 sweep or more (exactly)",
+        "the solution with friction under the model coupled-box (exactly)",
+    ] {
+        assert!(text.contains(name), "{text}");
+    }
 }
 
 #[test]
