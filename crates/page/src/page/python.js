@@ -27,7 +27,7 @@
     return cell;
   });
 
-  const text = (cell) => cell.code.innerText.replace(/\n*$/, "\n");
+  const text = (cell) => (cell.code.innerText || cell.code.textContent).replace(/\n*$/, "\n"); // the first is empty in a closed fold
   const setStatus = (cell, words) => { cell.status.textContent = words; };
 
   const addOutput = (cell, words, isFirst) => {
