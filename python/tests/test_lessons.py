@@ -236,7 +236,7 @@ def soft_column_in_one_step(m, h, sweeps):
 
 
 def test_the_stiffest_soft_column_that_stands_needs_many_substeps_of_one_sweep_as_lesson_16_says():
-    names = cell_of("16_soft_rows.md", "def column")
+    names = cell_of("16_soft_rows.md", "def soft_column")
     m = np.array([1.0, 1, 1, 1, 100])
     for sweeps, limit in (1, 1.4), (2, 2.1), (10, 5.2):
         grows = [abs(np.linalg.eigvals(soft_column_in_one_step(m, h, sweeps))).max() > 1 for h in (limit - 0.05, limit + 0.05)]
@@ -244,7 +244,7 @@ def test_the_stiffest_soft_column_that_stands_needs_many_substeps_of_one_sweep_a
         dt = 0.001 * sweeps
         for h, is_right in (0.8 * limit, True), (1.2 * limit, False):  # well within, and well beyond
             hertz = h / (2 * np.pi * dt)
-            risen = names["column"](m, dt, sweeps, hertz)
+            risen = names["soft_column"](m, dt, sweeps, hertz)
             assert (abs(risen / names["formula"](m, hertz) - 1) < 0.05) == is_right
 
 
@@ -348,11 +348,11 @@ def test_a_ball_bounces_a_step_early_and_half_a_step_above_the_floor_as_lesson_1
 
 
 def test_more_sweeps_or_shorter_steps_depends_on_number_and_order_of_masses_as_lesson_15_says():
-    column = cell_of("15_stack_of_boxes.md", "def column")["column"]
+    sinks = cell_of("15_stack_of_boxes.md", "def sinks")["sinks"]
     sweeps = [[1, 1], [1, 2], [10, 1], [4, 2, 1], [9, 3, 1], [100, 10, 1], [1e4, 100, 1], [20, 10, 0.1]]
     short_steps = [[1] * 3, [1] * 5, [1, 3], [1, 10], [1, 1.5, 2], [1.1, 1.05, 1]]
     for masses, sweeps_win in [(masses, True) for masses in sweeps] + [(masses, False) for masses in short_steps]:
-        one, ten, short = (column(masses, 10, *way, True) for way in [(0.01, 1), (0.01, 10), (0.001, 1)])
+        one, ten, short = (sinks(masses, 10, *way, True) for way in [(0.01, 1), (0.01, 10), (0.001, 1)])
         assert_allclose(one / short, 100, rtol=0.01)
         assert (one / ten > 100) == sweeps_win
 

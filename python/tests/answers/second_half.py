@@ -392,7 +392,7 @@ check("16.p1", 1000 * deep, [1000 * G / omega**2, 1000 * 10 * G / omega**2, deep
 check("16.p2", 10 * sqrt(16), [10 * 16, sqrt(16), 10, 10 * 2], "the sag goes with 1/omega squared, omega with 1/dt")
 
 cells = re.findall(r"(?s)```python[^\n]*\n(.*?)```", (ROOT / "notebooks" / "16_soft_rows.md").read_text(encoding="utf-8"))
-source = "".join(text.split("\nfor ")[0] for text in cells if "def column" in text)
+source = "".join(text.split("\nfor ")[0] for text in cells if "def soft_column" in text)
 sys.path.insert(0, str(ROOT / "notebooks"))
 from engine import softness
 cold = source.replace("        u += (x - np", "        x = np.zeros(n)\n        u += (x - np", 1)
@@ -400,7 +400,7 @@ rise = {}
 for name, text in (("warm", source), ("cold", cold)):
     place = {"np": np, "softness": softness}
     exec(text, place)
-    rise[name] = place["column"]([1, 1, 1, 1, 100], 0.001, 1, 120)
+    rise[name] = place["soft_column"]([1, 1, 1, 1, 100], 0.001, 1, 120)
 assert cold != source
 check("16.r1", rise["cold"], [1e3 * rise["cold"], rise["warm"], -rise["cold"]], "the cell, with and without its line", rel=5e-3)
 
