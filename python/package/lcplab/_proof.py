@@ -73,8 +73,9 @@ def prove(
     """
     if second is not None and (x is None or kind not in (None, "not-unique")):
         raise ValueError("a second answer needs a first one, and the kind not-unique")
-    answers = [None if own is None else vector(own, name) for own, name in ((x, "x"), (second, "second"))]
-    proof, missing = _lcplab.prove(problem._inner, *answers, kind, model)
+    first = None if x is None else vector(x, "x")
+    other = None if second is None else vector(second, "second")
+    proof, missing = _lcplab.prove(problem._inner, first, other, kind, model)
     text, claim = proof if proof is not None else (None, "nothing")
     return Proof(text, claim, dict(missing))
 
