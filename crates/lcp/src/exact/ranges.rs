@@ -6,6 +6,8 @@ use crate::Lcp;
 /// The part of the sum of terms by which a range is widened: far more than the rounding of a sum of
 /// a few thousand terms.
 const ROUNDING: f64 = 1e-12;
+/// And by this, far more than what a few thousand products lose when they underflow.
+const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
 /// The bounds of x.
 pub(super) struct Ranges<'a> {
@@ -19,7 +21,10 @@ impl<'a> Ranges<'a> {
     pub fn new(lcp: &'a Lcp) -> Self {
         let reach = |i: usize| match lcp.coupled_to(i) {
             Some((_, 0.0)) => (0.0, 0.0),
-            Some((k, mu)) => (-mu * lcp.hi()[k], mu * lcp.hi()[k]),
+            Some((k, mu)) => {
+                let most = mu * lcp.hi()[k] + UNDERFLOW;
+                (-most, most)
+            }
             None => (lcp.lo()[i], lcp.hi()[i]),
         };
         let (lo, hi) = (0..lcp.len()).map(reach).unzip();
@@ -50,7 +55,8 @@ impl<'a> Ranges<'a> {
         }
     }
 
-    /// The least and the largest w_i, widened by the rounding of their sums.
+    /// The least and the largest w_i, widened by the rounding of their sums and products. Where a
+    /// sum overflows, the range has no end.
     fn of_w(&self, i: usize, sides: &[Side]) -> (f64, f64) {
         let b = self.lcp.b()[i];
         let (mut least, mut most) = ((b, b.abs()), (b, b.abs()));
@@ -64,7 +70,9 @@ impl<'a> Ranges<'a> {
             add(&mut least, a * from);
             add(&mut most, a * to);
         }
-        let slack = |size: f64| if size.is_finite() { ROUNDING * size } else { 0.0 };
-        (least.0 - slack(least.1), most.0 + slack(most.1))
+        let slack = |size: f64| ROUNDING * size + UNDERFLOW;
+        // −∞ is a bound of x; ∞ − ∞ is an overflow.
+        let or = |end: f64, without: f64| if end.is_nan() { without } else { end };
+        (or(least.0 - slack(least.1), f64::NEG_INFINITY), or(most.0 + slack(most.1), f64::INFINITY))
     }
 }

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use lcplab_lcp::exact::dyadic::dyadic;
 use lcplab_lcp::exact::{Exact, Face, Point, SolutionSet, TooMany};
-use lcplab_lcp::{Lcp, Matrix};
+use lcplab_lcp::{Coupling, Lcp, Matrix};
 
 const INF: f64 = f64::INFINITY;
 
@@ -164,4 +164,31 @@ fn as_many_solutions_as_are_allowed_are_all_listed() {
     let found = set(&a, &vec![1.0; n], 0.0, f64::INFINITY);
     assert_eq!(found.corners.len(), 1024);
     assert!(found.faces.iter().all(Face::is_isolated));
+}
+
+/// w_0 = 10³⁰⁰ (x_0 − x_1), w_1 = x_1 − 1.5 · 10¹⁰ with x between 10¹⁰ and 2 · 10¹⁰: products of A and
+/// x are beyond the doubles, and x_0 = x_1 = 1.5 · 10¹⁰ is the only solution.
+#[test]
+fn a_solution_whose_terms_overflow_is_not_passed_over() {
+    let a = Matrix::dense(2, &[1e300, -1e300, 0.0, 1.0]);
+    let lcp = Lcp::new(a, vec![0.0, -1.5e10], vec![1e10; 2], vec![2e10; 2]).unwrap();
+    let set = SolutionSet::of(&lcp).unwrap();
+    let half = || RBig::from(15_000_000_000_i64);
+    assert_eq!(set.corners, [[half(), half()]]);
+    assert!(set.is_unique());
+}
+
+/// Friction of at most 10⁻²⁰⁰ · 10⁻²⁰⁰ is below the doubles, and 10³⁰⁰ times that is above b.
+#[test]
+fn a_solution_whose_friction_underflows_is_not_passed_over() {
+    let a = Matrix::dense(3, &[1e-150, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1e300, 1.0]);
+    let b = vec![-1.0, -1.0, -1e-101];
+    let bounds = (vec![0.0, f64::NEG_INFINITY, 0.0], vec![1e-200, f64::INFINITY, f64::INFINITY]);
+    let lcp = Lcp::new(a, b, bounds.0, bounds.1).unwrap();
+    let coupling = Coupling::new(vec![None, Some(0), None], vec![0.0, 1e-200, 0.0]).unwrap();
+    let set = SolutionSet::of(&lcp.with_coupling(coupling).unwrap()).unwrap();
+    // x_0 and x_1 are at their largest, so w_2 = x_2 + 10⁻¹⁰⁰ − 10⁻¹⁰¹ > 0 and x_2 = 0.
+    assert_eq!(set.corners.len(), 1);
+    assert!(set.corners[0][1] > RBig::ZERO);
+    assert_eq!(set.corners[0][2], RBig::ZERO);
 }
