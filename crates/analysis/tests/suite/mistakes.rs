@@ -1,9 +1,11 @@
 //! The known mistakes that give exactly this x, each made here by an independent program.
 
 mod chance;
+mod contact_solver;
 mod kinds;
 mod plain;
 mod planted;
+mod redundant;
 
 use lcplab_analysis::diagnosis::{
     Conclusion, Mistake, MistakeKind, Precision, find_mistakes, single_precision,

@@ -2,12 +2,13 @@
 
 use lcplab_solver::Start;
 
+use super::attempts::Attempts;
 use super::contact_sweeps::{ContactSweeps, Rule, Step};
 use super::flawed_sweep::Flaw;
 use super::friction_law;
 use super::nearest::distance;
 use super::sweeps::{contact_sweep, gauss_seidel, sweep};
-use super::{Attempt, Attempts, MistakeKind};
+use super::{Attempt, MistakeKind};
 
 /// Maximum number of sweeps of each textbook variant.
 const SWEEPS: usize = 500;
