@@ -3,6 +3,7 @@
 use dashu_int::IBig;
 
 use lcplab_lcp::Lcp;
+use lcplab_lcp::exact::bareiss::eliminate;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, integers};
 
 use crate::congruence;
@@ -34,7 +35,7 @@ pub fn is_p(lcp: &Lcp) -> bool {
     })
 }
 
-/// Bareiss elimination without row exchanges: its pivots are the leading principal minors.
+/// Elimination without row exchanges: its pivots are the leading principal minors.
 fn has_positive_leading_minors(mut m: Vec<Vec<IBig>>) -> bool {
     let mut last = IBig::ONE;
     for c in 0..m.len() {
@@ -60,16 +61,4 @@ fn determinant_is_positive(mut m: Vec<Vec<IBig>>) -> bool {
         last = m[c][c].clone();
     }
     (last > IBig::ZERO) == is_positive
-}
-
-/// Eliminates column c below the pivot; every division is exact (Bareiss 1968).
-fn eliminate(m: &mut [Vec<IBig>], c: usize, last: &IBig) {
-    let (upper, lower) = m.split_at_mut(c + 1);
-    let own = &upper[c];
-    for row in lower {
-        let factor = std::mem::take(&mut row[c]);
-        for j in c + 1..own.len() {
-            row[j] = (&row[j] * &own[c] - &factor * &own[j]) / last;
-        }
-    }
 }

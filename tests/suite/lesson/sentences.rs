@@ -160,7 +160,7 @@ fn the_force_of_an_impact_is_m_times_the_speed_over_dt_and_the_weight() {
 
 /// A contact that slides against t: A of lesson 13 at tan θ = 2, and a push that keeps it sliding.
 #[test]
-fn sweeps_of_the_pulled_rod_of_lesson_11_jump_for_ever_although_it_has_one_answer() {
+fn sweeps_of_the_pulled_rod_of_lesson_11_alternate_without_end_although_it_has_one_answer() {
     let matrix = Matrix::dense(2, &[1.6, -1.2, -1.2, 3.4]);
     let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 1.5]);
     let bounds = (vec![0.0, f64::NEG_INFINITY], vec![f64::INFINITY; 2]);

@@ -43,8 +43,8 @@ pub(super) fn problem(mut variables: Variables, name: String, input: &str) -> Re
     }
 }
 
-/// Limits below this fraction of the largest one are probably rounding errors of a zero: they are
-/// ten thousand times as far below the largest as the solutions of most programs are accurate.
+/// Limits below this fraction of the largest one are probably rounding errors of a zero: programs
+/// are solved to 1e-8 or so.
 const ROUNDING: f64 = 1e-12;
 
 /// A quadratic program: min ½ xᵀP x + qᵀx with rows and bounds.
@@ -80,7 +80,7 @@ impl Program {
     }
 }
 
-/// What is said of rows whose limits are rounding errors: no x satisfies such a row relative to the
+/// A warning about rows whose limits are rounding errors: no x satisfies such a row relative to the
 /// row's own size if all its other terms are 0.
 fn rounding(rows: &[Row]) -> Option<String> {
     let size = |row: &Row| -> f64 {
@@ -93,7 +93,7 @@ fn rounding(rows: &[Row]) -> Option<String> {
     let count = counted(rows.iter().filter(is_rounding).count(), "row");
     Some(format!(
         "{count} with limits that are probably rounding errors of 0, such as {:.1e} of {}; \
-         `lcplab convert --scale` states below which size x does not matter",
+         a problem with the key \"scale\" states the smallest significant size of x",
         size(first),
         first.name
     ))

@@ -12,7 +12,7 @@
 //! A choice of a side for every row is a *piece*. The equations of a piece are solved in integers;
 //! the definition, row by row, decides whether a point solves the problem.
 
-mod bareiss;
+pub mod bareiss;
 mod check;
 pub mod dyadic;
 mod echelon;

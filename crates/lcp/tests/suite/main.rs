@@ -1,5 +1,6 @@
 //! The problem, its files in JSON, its friction and its known solutions.
 
+mod equations;
 mod file;
 mod friction;
 mod hypot;

@@ -22,7 +22,7 @@ use super::{Attempt, MistakeKind};
 /// x solves a changed problem if its scaled residual is smaller by this factor there.
 const MUCH_SMALLER: f64 = 1e3;
 /// A solution this near to x, as a part of its largest entry, may be the one that x is.
-const BESIDE: f64 = 1e-6;
+const SAME_SOLUTION: f64 = 1e-6;
 
 /// The number of these rows that depend on others of them.
 fn redundant_among(lcp: &Lcp, rows: &[usize]) -> usize {
@@ -292,7 +292,7 @@ impl Attempts<'_> {
         }
         let y = solution(changed);
         let size = self.x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        let is_near = y.as_ref().is_some_and(|y| distance(self.x, y) <= BESIDE * size);
+        let is_near = y.as_ref().is_some_and(|y| distance(self.x, y) <= SAME_SOLUTION * size);
         // With coupled friction x may be another of several solutions without redundant rows too.
         let other = self.judged_at(self.x, kind, &what, residuals);
         match other.filter(|_| self.lcp.has_coupled_rows() && !is_near) {

@@ -90,7 +90,7 @@ impl Attempts<'_> {
 
     /// The solution nearest to x among those of solvers, of sweeps, and of sweeps from x.
     pub(super) fn nearest_known(&self) -> Option<Vec<f64>> {
-        let from_x = ContactSweeps::of(self.posed).map(|own| own.settled(Rule::Right, self.x));
+        let from_x = ContactSweeps::of(self.posed).map(|own| own.refined(Rule::Right, self.x));
         let swept = self.last_iterates.iter().cloned().chain(from_x).filter(|y| {
             friction_law::residuals(self.posed, y).into_iter().fold(0.0, f64::max) <= SOLVED
         });
@@ -135,7 +135,7 @@ impl Attempts<'_> {
             if let Some(own) = self.judged(kind, &what, residuals) {
                 self.found.push(own);
             } else if is_solved {
-                let y = sweeps.settled(rule, self.x);
+                let y = sweeps.refined(rule, self.x);
                 self.found.push(Attempt::new(kind, what, y));
             }
         }

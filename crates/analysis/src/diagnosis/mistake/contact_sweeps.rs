@@ -21,7 +21,7 @@ use super::flawed_sweep::Flaw;
 use super::sweeps::{Nearest, SweepMatch};
 
 /// Sweeps from x toward a solution of changed contacts that is as near to x as possible.
-const SETTLING_SWEEPS: usize = 50;
+const REFINING_SWEEPS: usize = 50;
 /// Friction this near to its limit, as a part of it, is at it.
 const AT_LIMIT: f64 = 1e-6;
 
@@ -244,9 +244,9 @@ impl<'a> ContactSweeps<'a> {
         x
     }
 
-    /// The solution of the changed contacts beside x, if x nearly solves them.
-    pub fn settled(&self, rule: Rule<'_>, x: &[f64]) -> Vec<f64> {
-        self.sweeps((rule, Step::Trace), x, SETTLING_SWEEPS, |_, _| ())
+    /// The solution of the changed contacts next to x, if x nearly solves them.
+    pub fn refined(&self, rule: Rule<'_>, x: &[f64]) -> Vec<f64> {
+        self.sweeps((rule, Step::Trace), x, REFINING_SWEEPS, |_, _| ())
     }
 
     /// The change of x in a sweep in which every row uses this x, scaled by the terms of the row.

@@ -104,16 +104,16 @@ pub(super) fn solution(posed: &ProblemForm) -> Option<Vec<f64>> {
         let settings = Settings::default().with_tolerance(tolerance);
         let options = Options::default().with_settings(settings);
         let solution = solve_by_sequence(posed, &options, &mut ()).solution;
-        (solution.status == Status::Solved).then(|| settled(posed, solution.x))
+        (solution.status == Status::Solved).then(|| refined(posed, solution.x))
     })
 }
 
 /// x after some sweeps, which take away what the tolerance of its solver left, unless they end
 /// farther from a solution.
-fn settled(posed: &ProblemForm, x: Vec<f64>) -> Vec<f64> {
+fn refined(posed: &ProblemForm, x: Vec<f64>) -> Vec<f64> {
     let Some(sweeps) = ContactSweeps::of(posed) else { return x };
     let largest = |x: &[f64]| sweeps.residuals(Rule::Right, x).into_iter().fold(0.0, f64::max);
-    let y = sweeps.settled(Rule::Right, &x);
+    let y = sweeps.refined(Rule::Right, &x);
     if largest(&y) < largest(&x) { y } else { x }
 }
 

@@ -55,9 +55,9 @@ use nearest::{distance, nearest_solution, on_active_set, solution};
 /// Maximum number of rows for which mistakes are searched.
 const LARGEST: usize = 500;
 /// The residuals of x may differ from those of the mistake's answer by this part of the largest.
-const OWN_ERROR: f64 = 0.5;
+const MOST_DIFFERENCE: f64 = 0.5;
 /// The same where rows are redundant, and x is one of many answers with its motion.
-const OWN_ERROR_OF_MOTION: f64 = 0.01;
+const MOST_DIFFERENCE_OF_MOTION: f64 = 0.01;
 /// Maximum number of rows that a mistake names.
 const LARGEST_LIST: usize = 6;
 
@@ -192,7 +192,8 @@ pub fn find_mistakes(problem: &ProblemForm, x: &[f64], last: Option<&[f64]>) -> 
     attempts.changed_contacts(last);
     search.conclusion = Conclusion::Compared { solution_distance };
     search.limits = limits;
-    let posed = Posed { problem, residuals: &attempts.residuals, redundant: search.redundant_rows };
+    let posed =
+        PosedProblem { problem, residuals: &attempts.residuals, redundant: search.redundant_rows };
     search.mistakes = explanations(&comparison, &posed, attempts.found);
     if search.mistakes.is_empty() {
         let own = wrong_active_set(problem, x);
@@ -254,19 +255,19 @@ fn wrong_active_set(problem: &ProblemForm, x: &[f64]) -> Vec<Attempt> {
 }
 
 /// The problem as posed, with the scaled residual of each row at x.
-struct Posed<'a> {
+struct PosedProblem<'a> {
     problem: &'a ProblemForm,
     residuals: &'a [f64],
     /// The number of rows that depend on others.
     redundant: usize,
 }
 
-impl Posed<'_> {
+impl PosedProblem<'_> {
     /// Whether y violates the problem as x does. If y is right, or nearly, the error of x is its
     /// own, however near y is: of many solutions, the answer of a mistake may be one.
-    fn is_violated_alike(&self, y: &[f64]) -> bool {
+    fn has_same_violation(&self, y: &[f64]) -> bool {
         let largest = self.residuals.iter().copied().fold(0.0, f64::max);
-        let part = if self.redundant > 0 { OWN_ERROR_OF_MOTION } else { OWN_ERROR };
+        let part = if self.redundant > 0 { MOST_DIFFERENCE_OF_MOTION } else { MOST_DIFFERENCE };
         let own = friction_law::residuals(self.problem, y);
         distance(self.residuals, &own) <= part * largest
             && !judge_friction(self.problem, y, &Demand::default()).verdict.is_solution()
@@ -276,7 +277,7 @@ impl Posed<'_> {
 /// The attempts that explain x: the nearest first, then all that are as near.
 fn explanations(
     comparison: &Comparison<'_>,
-    posed: &Posed<'_>,
+    posed: &PosedProblem<'_>,
     attempts: Vec<Attempt>,
 ) -> Vec<Mistake> {
     let count = attempts.len();
@@ -286,7 +287,7 @@ fn explanations(
             None => comparison.agreement(&attempt.y, attempt.fitted)?,
         };
         let is_found = agreement.is_no_chance(count * attempt.sweeps);
-        (is_found && posed.is_violated_alike(&attempt.y)).then_some((attempt, agreement))
+        (is_found && posed.has_same_violation(&attempt.y)).then_some((attempt, agreement))
     };
     let mut found: Vec<(Attempt, Agreement)> = attempts.into_iter().filter_map(agreement).collect();
     // The sort is stable: the simplest first.
