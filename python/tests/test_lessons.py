@@ -900,3 +900,22 @@ def test_the_inertia_seen_from_outside_turns_with_the_body_as_lesson_3_says():
     inertia = lambda rs: sum(m * ((r @ r) * np.eye(3) - np.outer(r, r)) for m, r in zip(masses, rs))
     R = np.linalg.qr(np.random.default_rng(13).normal(size=(3, 3)))[0]
     assert_allclose(inertia(places @ R.T), R @ inertia(places) @ R.T)
+
+
+def test_sweeps_on_singular_matrices_with_a_solution_converge_to_one_that_the_start_decides_as_lesson_9_says():
+    rng = np.random.default_rng(9)
+    zero, free, different = np.zeros(5), np.full(5, np.inf), 0
+    for _ in range(20):
+        J = rng.standard_normal((5, 3))
+        A = J @ J.T
+        x = np.maximum(rng.standard_normal(5), 0)
+        b = np.where(x > 0, 0, rng.random(5)) - A @ x  # w is 0 where x pushes
+        ends = []
+        for start in zero, 2 * rng.random(5):
+            swept = engine.sor(A, b, zero, free, 1.0, 3000, start)
+            w = A @ swept + b
+            assert abs(np.minimum(swept, w)).max() < 1e-6
+            ends.append(swept)
+        assert_allclose(A @ ends[0], A @ ends[1], atol=1e-5)
+        different += abs(ends[0] - ends[1]).max() > 1e-3
+    assert different > 5

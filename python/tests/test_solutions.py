@@ -42,6 +42,25 @@ def by_supports(A, b):
     return found
 
 
+def by_sides(A, b, lo, hi):
+    """The solutions of a problem with two bounds in each row, one choice of sides after the other."""
+    found, n = set(), len(b)
+    A, b, lo, hi = ([[Fraction(v) for v in row] for row in A], *([Fraction(v) for v in own] for own in (b, lo, hi)))
+    for sides in itertools.product("lfh", repeat=n):
+        free = [i for i in range(n) if sides[i] == "f"]
+        x = [{"l": lo[i], "h": hi[i], "f": Fraction(0)}[sides[i]] for i in range(n)]
+        w = lambda i: sum(a * v for a, v in zip(A[i], x)) + b[i]
+        part = solved([[A[i][j] for j in free] for i in free], [-w(i) for i in free])
+        if part is None:
+            continue
+        for i, value in zip(free, part):
+            x[i] = value
+        fits = {"l": lambda i: w(i) >= 0, "h": lambda i: w(i) <= 0, "f": lambda i: lo[i] <= x[i] <= hi[i]}
+        if all(fits[sides[i]](i) for i in range(n)):
+            found.add(tuple(x))
+    return found
+
+
 def game(costs_of_one, costs_of_other):
     """The LCP of a bimatrix game with positive costs; x divided by its sums are the strategies."""
     one, other = np.array(costs_of_one, dtype=float), np.array(costs_of_other, dtype=float)
@@ -87,6 +106,23 @@ def test_a_saddle_has_three_solutions():
     assert {tuple(x) for x in found.corners} == {(0, 0), (1, -1), (-1, 1)}
     assert len(found) == 3 and found.is_finite and not found.is_unique
     assert repr(found) == "<lcplab.Solutions: exactly 3>"
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_all_solutions_are_found_where_terms_of_rows_overflow_and_underflow(seed):
+    rng, n = np.random.default_rng(seed), 3
+    # x_j is of the size 2^units[j], and the terms A_ij x_j of row i are of the size 2^sizes[i].
+    units, sizes = rng.integers(-400, 401, n), rng.choice([-1100, -1070, 0, 1020, 1100], n)
+    exponents = sizes[:, None] - units
+    whole = np.where(abs(exponents) <= 1000, rng.integers(-2, 3, (n, n)), 0)
+    A = np.ldexp(whole.astype(float), np.where(whole, exponents, 0))
+    b = np.where(abs(sizes) <= 1020, np.ldexp(rng.integers(-2, 3, n).astype(float), sizes.clip(-1020, 1020)), 0.0)
+    lo, hi = -np.ldexp(np.ones(n), units), np.ldexp(rng.integers(1, 3, n).astype(float), units)
+    known = by_sides(A.tolist(), b.tolist(), lo.tolist(), hi.tolist())
+    found = solutions(Problem(A, b, lo=lo, hi=hi))
+    assert known <= {tuple(x) for x in found.corners}
+    if found.is_finite:
+        assert known == {tuple(x) for x in found.corners}
 
 
 def test_no_solution_one_solution_and_a_ray():

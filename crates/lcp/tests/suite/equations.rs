@@ -19,7 +19,8 @@ fn w(a: &[f64], b: &[f64], x: &[RBig]) -> Vec<RBig> {
 }
 
 /// Both ways of solving them, with up to and with more than ten unknowns; every third matrix has
-/// zeros on its diagonal, so that rows must be exchanged, and every second one huge and tiny entries.
+/// zeros on its diagonal, so that rows must be exchanged, and every second one has huge and tiny
+/// entries.
 #[test]
 fn the_solution_of_random_equations_satisfies_every_one_exactly() {
     let (mut random, mut solved) = (Rand64::new(10), 0);

@@ -166,8 +166,8 @@ fn as_many_solutions_as_are_allowed_are_all_listed() {
     assert!(found.faces.iter().all(Face::is_isolated));
 }
 
-/// w_0 = 10³⁰⁰ (x_0 − x_1), w_1 = x_1 − 1.5 · 10¹⁰ with x between 10¹⁰ and 2 · 10¹⁰: products of A and
-/// x are beyond the doubles, and x_0 = x_1 = 1.5 · 10¹⁰ is the only solution.
+/// w_0 = 10³⁰⁰ (x_0 − x_1), w_1 = x_1 − 1.5 · 10¹⁰ with x between 10¹⁰ and 2 · 10¹⁰: products of A
+/// and x are beyond the doubles, and x_0 = x_1 = 1.5 · 10¹⁰ is the only solution.
 #[test]
 fn a_solution_whose_terms_overflow_is_not_passed_over() {
     let a = Matrix::dense(2, &[1e300, -1e300, 0.0, 1.0]);

@@ -1,4 +1,5 @@
-//! The attempts on a problem of any law, and on boxes: changed problems, sweeps, answers moved back.
+//! The attempts on a problem of any law, and on boxes: changed problems, sweeps, answers moved
+//! back.
 
 use lcplab_judge::regularity::regularity;
 use lcplab_lcp::friction::{Contact, ProblemForm};
