@@ -116,7 +116,7 @@ def mean(times: list[float | None]) -> float:
 def rejected(rows: list[dict]) -> bool:
     """Whether the judge rejects a claim, of the run that asks for lcplab's default tolerance."""
     row = rows[ASKED.index(1e-8)]
-    return row["refuted_claims"] + row["false_claims"] > 0
+    return row["rejected_claims"] + row["false_claims"] > 0
 
 
 def page(lcplab: Path, results: Results, solvable: set[str], present: list[str], load: float) -> str:

@@ -24,6 +24,6 @@ if command -v npm >/dev/null && command -v chromium >/dev/null; then
     npm install --silent --no-fund --no-audit --prefix target/site-modules "${modules[@]}"
     python site/check.py target/public target/site-modules
 else
-    echo "skipped: no npm or no chromium here, so pages are not looked at"
+    echo "skipped: no npm or no chromium here, so pages are not checked"
     python site/check.py target/public
 fi

@@ -5,17 +5,17 @@ const prefers = matchMedia("(prefers-color-scheme: dark)");
 const stored = () => { try { return localStorage.getItem(key); } catch { return null; } };
 const keep = (theme) => { try { localStorage.setItem(key, theme); } catch { /* a page from a file may have no storage */ } };
 const dark = () => (root.dataset.theme ?? (prefers.matches ? "dark" : "light")) === "dark";
-const told = () => button.setAttribute("aria-pressed", String(dark()));
+const announce = () => button.setAttribute("aria-pressed", String(dark()));
 
 if (stored()) root.dataset.theme = stored();
 button.hidden = false;
 button.addEventListener("click", () => {
   root.dataset.theme = dark() ? "light" : "dark";
   keep(root.dataset.theme);
-  told();
+  announce();
 });
-prefers.addEventListener("change", told);
-told();
+prefers.addEventListener("change", announce);
+announce();
 
 const side = document.querySelector(".side details");
 if (side && matchMedia("(max-width: 61.99rem)").matches) side.open = false;

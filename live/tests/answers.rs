@@ -139,8 +139,8 @@ fn a_question_that_makes_no_sense_is_answered_with_the_reason() {
         (json!({ "ask": "trace", "problem": problem, "solver": "pgs", "start": [1, 2] }), "start"),
     ] {
         let answer = ask(question.clone());
-        let told = answer["error"].as_str().unwrap_or_else(|| panic!("{question}: {answer}"));
-        assert!(told.contains(reason), "{told}");
+        let output = answer["error"].as_str().unwrap_or_else(|| panic!("{question}: {answer}"));
+        assert!(output.contains(reason), "{output}");
     }
 }
 
@@ -149,18 +149,18 @@ fn the_three_functions_of_a_page_take_a_question_and_give_its_answer() {
     use lcplab_live::abi::{ask, back, room};
     let question = br#"{"ask": "column", "masses": [1], "dt": 0.01}"#;
     // SAFETY: the room is filled and given back as the functions ask for.
-    let told = unsafe {
+    let output = unsafe {
         let place = room(question.len());
         std::ptr::copy_nonoverlapping(question.as_ptr(), place, question.len());
         let answer = ask(place, question.len());
         let length =
             u32::from_le_bytes(std::slice::from_raw_parts(answer, 4).try_into().unwrap()) as usize;
-        let told = std::slice::from_raw_parts(answer.add(4), length).to_vec();
+        let output = std::slice::from_raw_parts(answer.add(4), length).to_vec();
         back(answer, length);
-        told
+        output
     };
     assert_eq!(
-        String::from_utf8(told).unwrap(),
+        String::from_utf8(output).unwrap(),
         lcplab_live::answer(std::str::from_utf8(question).unwrap())
     );
 }

@@ -10,7 +10,7 @@ import numpy as np
 
 
 def answer(A, b, sweeps):
-    """x after so many sweeps."""
+    """x after this number of sweeps."""
     x = np.zeros(len(b))
     for sweep in range(sweeps):
         # With the newest x, each row makes its own w zero, but no contact pulls: the next row must not see

@@ -2,7 +2,7 @@
 
 Balls stand on each other, ball 0 on the ground. Each step of dt (s) starts from the impulses x of the step
 before: the balls get them at once, together with gravity, and sweeps of sequential impulses correct what is
-left. The program should return, after so many steps, x (N s) and how far each ball has moved upwards (m). Its
+left. The program should return, after `steps` steps, x (N s) and how far each ball has moved upwards (m). Its
 users say: "One ball alone is right. Under two balls the ground carries only one of them. Five jump off each
 other, and without the warm start they only sank." There is exactly one mistake.
 """

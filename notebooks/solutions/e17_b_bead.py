@@ -2,7 +2,7 @@
 
 A bead of mass m (kg) starts at rest on a straight wire z = slope x and rubs on it with the friction μ. The
 constraint is c = z - slope x, one equation, so its impulse may have either sign. The program should return the
-speed along the wire after so many steps of dt (s), to the right positive. Its users say: "On a level wire, and
+speed along the wire after `steps` steps of dt (s), to the right positive. Its users say: "On a level wire, and
 without friction, it is right. On a slope the bead gets too fast, and it slides where it should stay: at 30°
 with μ = 0.6." There is exactly one mistake.
 """

@@ -122,7 +122,7 @@ impl Chapter {
 }
 
 fn outcome(is_good: bool) -> Outcome {
-    if is_good { Outcome::Good } else { Outcome::Refuted }
+    if is_good { Outcome::Good } else { Outcome::Rejected }
 }
 
 /// Whether a name is E followed by a number.

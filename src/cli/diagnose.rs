@@ -159,7 +159,7 @@ impl Diagnose {
                 object["loads"] = loads::to_json(loads);
             }
             print(&format!("{object:#}\n"))?;
-            return Ok(if found.is_sound() { Outcome::Good } else { Outcome::Refuted });
+            return Ok(if found.is_sound() { Outcome::Good } else { Outcome::Rejected });
         }
         if examined.as_ref().is_some_and(|examined| {
             examined.found.unsupported.as_ref().is_some_and(|found| found.pace().is_some())
@@ -235,7 +235,7 @@ impl Diagnose {
         };
         let page = diagnosis_page(&document, found, user_solver, scene.as_ref(), &problems)?;
         file::write(path, &page.render()?)?;
-        Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })
+        Ok(if document.is_accepted { Outcome::Good } else { Outcome::Rejected })
     }
 
     /// The scene with the options of its solver.
@@ -289,7 +289,7 @@ impl Diagnose {
             let mut object = found.to_json();
             object["unsolved"] = unsolved.into();
             print(&format!("{object:#}\n"))?;
-            return Ok(if is_accepted { Outcome::Good } else { Outcome::Refuted });
+            return Ok(if is_accepted { Outcome::Good } else { Outcome::Rejected });
         }
         let title = format!("Diagnosis of {}", self.input);
         let lead = found.unsolved_in_words(tolerance);
@@ -315,7 +315,7 @@ impl Diagnose {
         } else {
             print(&(mistake::words(&search, single) + &MotionError::text(&question, &x)))?;
         }
-        Ok(if search.verdict.is_solution() { Outcome::Good } else { Outcome::Refuted })
+        Ok(if search.verdict.is_solution() { Outcome::Good } else { Outcome::Rejected })
     }
 }
 

@@ -33,7 +33,7 @@ enum Form {
 }
 
 impl Writing {
-    /// Writes the document; the outcome is `Refuted` if it is not accepted.
+    /// Writes the document; the outcome is `Rejected` if it is not accepted.
     pub fn write(&self, document: &Document) -> Result<Outcome> {
         let format = self.format();
         let text = document.written(format)?;
@@ -42,7 +42,7 @@ impl Writing {
             None if format == Format::ColoredText => print_colored(&text)?,
             None => print(&text)?,
         }
-        Ok(if document.is_accepted { Outcome::Good } else { Outcome::Refuted })
+        Ok(if document.is_accepted { Outcome::Good } else { Outcome::Rejected })
     }
 
     fn format(&self) -> Format {

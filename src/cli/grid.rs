@@ -125,8 +125,8 @@ impl Run {
         let folder = folder.with_solvers(solvers);
         if let Some(task) = self.task {
             let record = folder.run_one(task)?;
-            let refuted = record.finding.and_then(|finding| finding.get("refuted"));
-            return Ok(if refuted > Some(0.0) { Outcome::Refuted } else { Outcome::Good });
+            let rejected = record.finding.and_then(|finding| finding.get("rejected"));
+            return Ok(if rejected > Some(0.0) { Outcome::Rejected } else { Outcome::Good });
         }
         if let Some(threads) = self.threads {
             // Fails only if the pool already exists, and nothing has created it before.
@@ -154,7 +154,7 @@ impl Collect {
             "{done} of {} tasks collected, {} impossible, {} false claims\n{}\n",
             done + missing,
             collection.impossible(),
-            collection.refuted(),
+            collection.rejected(),
             folder.path().join("index.html").display(),
         ))?;
         if missing > 0 {
@@ -163,7 +163,7 @@ impl Collect {
             let more = if missing > 20 { ", …" } else { "" };
             say(&format!("error: {missing} tasks have no results: {numbers}{more}"));
         }
-        let good = missing == 0 && collection.refuted() == 0;
-        Ok(if good { Outcome::Good } else { Outcome::Refuted })
+        let good = missing == 0 && collection.rejected() == 0;
+        Ok(if good { Outcome::Good } else { Outcome::Rejected })
     }
 }

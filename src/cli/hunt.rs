@@ -115,7 +115,7 @@ impl Challenge {
         }
         Ok(match record.has_no_false_claims() && useless.is_empty() {
             true => Outcome::Good,
-            false => Outcome::Refuted,
+            false => Outcome::Rejected,
         })
     }
 

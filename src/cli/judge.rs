@@ -81,7 +81,7 @@ impl Worst {
             Worst::WithinTolerance => matches!(verdict, Verdict::Proved { .. }),
             Worst::NotASolution => verdict.is_solution(),
         };
-        if passes { Outcome::Good } else { Outcome::Refuted }
+        if passes { Outcome::Good } else { Outcome::Rejected }
     }
 }
 
@@ -188,8 +188,9 @@ impl Judge {
             let headings = "answer | #scaled residual | verdict";
             print(&terminal::table(&Table::new(title(problem), "", headings, rows)))?;
         }
-        let fails = |judged: &&AnswerRow| self.fail_on.outcome(&judged.verdict) == Outcome::Refuted;
+        let fails =
+            |judged: &&AnswerRow| self.fail_on.outcome(&judged.verdict) == Outcome::Rejected;
         let wrong = all.iter().filter(|judged| judged.is_answer).find(fails);
-        Ok(wrong.map_or(Outcome::Good, |_| Outcome::Refuted))
+        Ok(wrong.map_or(Outcome::Good, |_| Outcome::Rejected))
     }
 }

@@ -188,7 +188,7 @@ fn answered(problem: &Problem, number: Option<f64>) -> Result<Outcome> {
         }
         Reply::Wrong(hint) => {
             print(&unicode(&format!("{id} not yet: {hint}\n")))?;
-            Ok(Outcome::Refuted)
+            Ok(Outcome::Rejected)
         }
     }
 }

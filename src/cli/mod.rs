@@ -137,7 +137,7 @@ fn grouped(cli: clap::Command) -> clap::Command {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     Good,
-    Refuted,
+    Rejected,
     /// It was stopped; the results so far were written.
     Stopped(Reason),
 }
@@ -147,7 +147,7 @@ impl Outcome {
     fn code(self) -> u8 {
         match self {
             Outcome::Good => 0,
-            Outcome::Refuted => 1,
+            Outcome::Rejected => 1,
             Outcome::Stopped(reason) => code(reason),
         }
     }

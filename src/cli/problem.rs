@@ -188,7 +188,7 @@ pub fn outcome(verdict: &Verdict, stopped: Option<Reason>) -> Outcome {
     match stopped {
         Some(reason) => Outcome::Stopped(reason),
         None if verdict.is_solution() => Outcome::Good,
-        None => Outcome::Refuted,
+        None => Outcome::Rejected,
     }
 }
 

@@ -131,7 +131,7 @@ impl Prove {
         for (kind, reason) in &missing {
             say(&format!("no proof of kind {kind}: {reason}"));
         }
-        let Some(proof) = proof else { return Ok(Outcome::Refuted) };
+        let Some(proof) = proof else { return Ok(Outcome::Rejected) };
         let text = format!("{}\n", proof.to_json());
         match &self.out {
             Some(path) => {
@@ -151,7 +151,7 @@ impl Prove {
         let set = SolutionSet::of(lcp)
             .map_err(|many| Error::invalid(input, "problem", many.to_string()))?;
         print(&if self.json { solutions::to_json(&set) } else { solutions::words(&set) })?;
-        Ok(if set.corners.is_empty() { Outcome::Refuted } else { Outcome::Good })
+        Ok(if set.corners.is_empty() { Outcome::Rejected } else { Outcome::Good })
     }
 }
 
@@ -176,7 +176,7 @@ impl Check {
                 Err(reason) => format!("rejected: {reason}\n"),
             })?;
         }
-        Ok(if verdict.is_ok() { Outcome::Good } else { Outcome::Refuted })
+        Ok(if verdict.is_ok() { Outcome::Good } else { Outcome::Rejected })
     }
 }
 

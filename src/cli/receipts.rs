@@ -101,7 +101,7 @@ impl Receipts {
             true => print(&format!("{}\n", Value::Object(run.details())))?,
             false => print(&format!("{}\n", run.text()))?,
         }
-        Ok(if run.is_ok() || self.update { Outcome::Good } else { Outcome::Refuted })
+        Ok(if run.is_ok() || self.update { Outcome::Good } else { Outcome::Rejected })
     }
 
     /// The baseline to compare with; none if this run becomes the baseline.

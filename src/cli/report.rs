@@ -237,7 +237,7 @@ impl Report {
             print(&format!("{}\n", file.display()))?;
             return Ok((Outcome::Good, None));
         }
-        let outcome = if results.is_good()? { Outcome::Good } else { Outcome::Refuted };
+        let outcome = if results.is_good()? { Outcome::Good } else { Outcome::Rejected };
         if self.list {
             let printed =
                 |table| print(&(terminal::table_within(&for_terminal(table), WIDTH) + "\n"));
@@ -298,7 +298,7 @@ fn changes(old: &Path, new: &Path, tolerance: Option<&String>) -> Result<Outcome
         return Ok(Outcome::Good);
     }
     print(&terminal::table(&difference::table(&changes)))?;
-    Ok(Outcome::Refuted)
+    Ok(Outcome::Rejected)
 }
 
 /// The report on engines that draws this record.

@@ -140,7 +140,7 @@ impl SearchArgs {
             useless.iter().for_each(|reason| say(&format!("failed: {reason}")));
             return Ok(match stopped {
                 Some(reason) => Outcome::Stopped(reason),
-                None if useless.is_some() => Outcome::Refuted,
+                None if useless.is_some() => Outcome::Rejected,
                 None => Outcome::Good,
             });
         };
@@ -159,7 +159,7 @@ impl SearchArgs {
             false => self.text(&counterexample, &finding, &target, seed),
         })?;
         Ok(match stopped {
-            _ if target.measure == Measure::FalseClaim => Outcome::Refuted,
+            _ if target.measure == Measure::FalseClaim => Outcome::Rejected,
             Some(reason) => Outcome::Stopped(reason),
             None => Outcome::Good,
         })

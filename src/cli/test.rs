@@ -101,7 +101,7 @@ impl Test {
         let problems = self.read()?;
         let Some(run) = self.results(&problems, &contenders, limits)? else {
             let stopped = limits.stop().reason();
-            return Ok(stopped.map_or(Outcome::Refuted, Outcome::Stopped));
+            return Ok(stopped.map_or(Outcome::Rejected, Outcome::Stopped));
         };
         if let (Some(path), true) = (&self.baseline, self.update) {
             file::write(path, text_of(&run)?)?;
@@ -126,7 +126,7 @@ impl Test {
             }
             false => print(&words(&findings, self.update))?,
         }
-        Ok(if fails && !self.update { Outcome::Refuted } else { Outcome::Good })
+        Ok(if fails && !self.update { Outcome::Rejected } else { Outcome::Good })
     }
 
     /// The baseline to compare with; none if this run becomes the baseline.

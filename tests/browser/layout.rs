@@ -70,11 +70,11 @@ fn the_contents_fold_on_a_phone_and_stay_beside_the_text_on_a_desk() {
 fn what_can_be_focused_shows_it() {
     let seen = sample().seen(
         1280,
-        "const told = (node) => { node.focus({ focusVisible: true }); return getComputedStyle(node).outlineStyle; };
+        "const output = (node) => { node.focus({ focusVisible: true }); return getComputedStyle(node).outlineStyle; };
         const skip = find('.skip'), place = () => skip.getBoundingClientRect().left;
         const away = place() < 0;
         skip.focus();
-        return [away, place() >= 0, told(find('.theme')), told(find('#table-1 th span')), told(find('#table-1 .scroll'))];",
+        return [away, place() >= 0, output(find('.theme')), output(find('#table-1 th span')), output(find('#table-1 .scroll'))];",
     );
     assert_eq!(seen, json!([true, true, "solid", "solid", "solid"]));
 }

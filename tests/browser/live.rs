@@ -105,15 +105,15 @@ fn a_problem_that_is_brought_is_answered_as_the_native_program_does_it() {
 fn a_problem_is_solved_derived_judged_and_proved_on_its_page() {
     let script = "const first = [find('#says').textContent, find('#x').value];
         find('#prove').click(); const unique = find('#proof').textContent;
-        find('#x').value = '[4, 3, 2]'; find('#x').dispatchEvent(new Event('change')); const refuted = find('#judge').textContent;
+        find('#x').value = '[4, 3, 2]'; find('#x').dispatchEvent(new Event('change')); const rejected = find('#judge').textContent;
         set('#example', 'no solution'); find('#prove').click();
-        return [...first, unique, refuted, find('#says').textContent, find('#proof').textContent, all('#lines pre').length];";
+        return [...first, unique, rejected, find('#says').textContent, find('#proof').textContent, all('#lines pre').length];";
     let found = page("problem").seen(1280, &format!("{READY}{script}"));
-    let told = |k: usize| found[k].as_str().unwrap();
-    assert_eq!(told(1), "[4,3,1]");
-    assert!(told(0).contains("exact solution") && told(2).starts_with("unique:"), "{found}");
-    assert!(told(3).contains("not a solution"), "{found}");
-    assert!(told(5).starts_with("no-solution:"), "{found}");
+    let output = |k: usize| found[k].as_str().unwrap();
+    assert_eq!(output(1), "[4,3,1]");
+    assert!(output(0).contains("exact solution") && output(2).starts_with("unique:"), "{found}");
+    assert!(output(3).contains("not a solution"), "{found}");
+    assert!(output(5).starts_with("no-solution:"), "{found}");
     assert!(found[6].as_u64().unwrap() > 2, "{found}");
 }
 
@@ -132,10 +132,10 @@ fn what_is_no_problem_is_said_and_what_was_typed_stays() {
         find('#text').value = '{\"A\": {\"dense\": [[1]]}, \"b\": [1, 2]}'; find('#text').dispatchEvent(new Event('input')); await wait(600);
         return [broken, find('#says').textContent, find('#text').value, location.hash.includes('dense')];";
     let found = page("problem").seen(390, &format!("{READY}{script}"));
-    let told = |k: usize| found[k].as_str().unwrap();
-    assert!(told(0).starts_with("Not valid JSON"), "{found}");
-    assert!(told(1).contains("b"), "{found}");
-    assert_eq!(told(2), r#"{"A": {"dense": [[1]]}, "b": [1, 2]}"#);
+    let output = |k: usize| found[k].as_str().unwrap();
+    assert!(output(0).starts_with("Not valid JSON"), "{found}");
+    assert!(output(1).contains("b"), "{found}");
+    assert_eq!(output(2), r#"{"A": {"dense": [[1]]}, "b": [1, 2]}"#);
     assert_eq!(found[3], json!(true));
 }
 

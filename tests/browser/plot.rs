@@ -86,9 +86,9 @@ fn bars_say_their_amount_all_along() {
 #[test]
 fn keys_lead_along_a_curve_and_from_curve_to_curve() {
     let found = seen(
-        "const field = find('.field', svg('halving')), told = () => field.getAttribute('aria-valuetext');
+        "const field = find('.field', svg('halving')), output = () => field.getAttribute('aria-valuetext');
         const keys = ['ArrowRight', 'ArrowRight', 'ArrowDown', 'ArrowUp', 'End', 'Home', 'Escape'];
-        const words = keys.map((key) => { press(field, key); return told(); });
+        const words = keys.map((key) => { press(field, key); return output(); });
         return [words, tip(), field.getAttribute('role'), field.tabIndex];",
     );
     let words = [

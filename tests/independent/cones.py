@@ -297,10 +297,10 @@ def size(x):
     return max(map(abs, x), default=Q(0))
 
 
-def differ(told, worst):
-    if told.is_infinite() or worst.is_infinite():       # a float may be infinite where a decimal is not yet
-        return not min(told, worst) > Decimal("1e300")
-    return abs(told - worst) > max(CLOSE * worst, TINY)
+def differ(message, worst):
+    if message.is_infinite() or worst.is_infinite():       # a float may be infinite where a decimal is not yet
+        return not min(message, worst) > Decimal("1e300")
+    return abs(message - worst) > max(CLOSE * worst, TINY)
 
 
 def judge(cones, tolerance, answer):
@@ -313,9 +313,9 @@ def judge(cones, tolerance, answer):
         return
     rows, start = cones.look(x), cones.look(cones.nothing())
     worst = max(r for r, _ in rows)
-    told = Decimal(str(answer["scaled_residual"]))
-    if differ(told, worst):
-        yield f"scaled_residual is {float(worst):.6g}, not {told}"
+    message = Decimal(str(answer["scaled_residual"]))
+    if differ(message, worst):
+        yield f"scaled_residual is {float(worst):.6g}, not {message}"
     limit = Decimal(tolerance)
     if answer["verdict"] == "proved":
         most, far = number(answer["distance"]), None

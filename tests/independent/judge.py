@@ -45,7 +45,7 @@ from types import SimpleNamespace
 INF = math.inf
 SLACK = Q(1, 10**9)     # forgiven where a claim compares with a threshold; never for a distance or a proof
 NEAR = Q(1, 10**6)      # a proof's distance, relative to max|x|
-PIECES = 6561           # with so many pieces or fewer, a problem is always decided ...
+PIECES = 6561           # with this number of pieces or fewer, a problem is always decided ...
 WORK = 3 * 10**5        # ... with more, only if it takes no more than so many updates of table cells
 NOT, WITHIN, PROVED = "not_a_solution", "within_tolerance", "proved"
 STATUSES = ("solved", "iteration_limit", "infeasible", "failed")
@@ -474,10 +474,10 @@ def show(v):
     return f"{float(v):.6g}" if abs(v) <= sys.float_info.max else str(INF if v > 0 else -INF)
 
 
-def agrees(told, exact, relative, absolute):
-    if isinstance(told, float):     # not finite: right where a float can hardly hold the number, or its parts
-        return told == (INF if exact > 0 else -INF) and abs(exact) > 1e300
-    return abs(exact) < INF and abs(told - exact) <= max(relative * abs(exact), absolute)
+def agrees(output, exact, relative, absolute):
+    if isinstance(output, float):     # not finite: right where a float can hardly hold the number, or its parts
+        return output == (INF if exact > 0 else -INF) and abs(exact) > 1e300
+    return abs(exact) < INF and abs(output - exact) <= max(relative * abs(exact), absolute)
 
 
 def read_answer(raw, p):
@@ -543,14 +543,14 @@ def check_alone(p, tolerance, a, known, count):
         return
     at, size = p.look(a.x), max(map(abs, a.x), default=Q(0))
     # The numbers told.
-    for name, told, exact, absolute in (
+    for name, output, exact, absolute in (
             ("scaled_residual", a.scaled_residual, at.scaled, Q(1, 10**15)),
             ("natural_residual", a.natural_residual, at.natural, max([size, *map(abs, at.w)]) / 10**12)):
-        if told is not None and not agrees(told, exact, NEAR, absolute):
-            yield f"{name} is {show(exact)}, not {show(told)}"
-    for i, (told, exact, terms) in enumerate(zip(a.w or (), at.w, at.size)):
-        if not agrees(told, exact, 0, terms / 10**12 + Q(1, 10**300)):      # (10^-300: where floats get coarse)
-            yield f"w[{i}] is {show(exact)}, not {show(told)}"
+        if output is not None and not agrees(output, exact, NEAR, absolute):
+            yield f"{name} is {show(exact)}, not {show(output)}"
+    for i, (output, exact, terms) in enumerate(zip(a.w or (), at.w, at.size)):
+        if not agrees(output, exact, 0, terms / 10**12 + Q(1, 10**300)):      # (10^-300: where floats get coarse)
+            yield f"w[{i}] is {show(exact)}, not {show(output)}"
     # The verdict.
     allowed = tolerance * (1 + SLACK), tolerance * (1 - SLACK)
     fits, misses = at.scaled <= allowed[0], at.scaled > allowed[1]
@@ -708,14 +708,14 @@ def self_test():
     """Every record here with its lie (a part of the message expected), or None if it is true."""
     def answer(problem, x, verdict, status="solved", **more):
         x = [number(v, False) for v in x]
-        told = {"solver": "s", "x": [float(v) for v in x], "verdict": verdict, "status": status}
-        told["exit_code"] = int(verdict == NOT)
+        output = {"solver": "s", "x": [float(v) for v in x], "verdict": verdict, "status": status}
+        output["exit_code"] = int(verdict == NOT)
         if all(isinstance(v, Q) for v in x):
             at = Problem(problem).look(x)
-            told |= {"w": [float(v) for v in at.w], "natural_residual": float(at.natural)}
-            told["scaled_residual"] = float(at.scaled)
-            told |= {"row": at.r.index(at.scaled), "amount": float(at.scaled)} if verdict == NOT else {}
-        return json.loads(json.dumps(told | more).replace("NaN", '"nan"'))
+            output |= {"w": [float(v) for v in at.w], "natural_residual": float(at.natural)}
+            output["scaled_residual"] = float(at.scaled)
+            output |= {"row": at.r.index(at.scaled), "amount": float(at.scaled)} if verdict == NOT else {}
+        return json.loads(json.dumps(output | more).replace("NaN", '"nan"'))
 
     def lcp(A, b, **more):
         return {"A": {"dense": A}, "b": b} | more
@@ -785,8 +785,8 @@ def self_test():
         ("j true", j, [answer(j, [0.5, 0.5], WITHIN)], None, None),
         ("j wrong", j, [answer(j, [0.5, 0.500001], WITHIN)], None, "its scaled residual is"),
         ("j refused", j, [answer(j, [0.5, 0.5], NOT, "failed")], None, "nothing proves"),
-        ("j told", j, [answer(j, [0.5, 0.5], WITHIN, certificate=only)], None, None),
-        ("j told, wrong d", j, [answer(j, [0.5, 0.5], WITHIN, certificate={"no_exact_solution": ["1", "1"]})], None, "is no proof"),
+        ("j output", j, [answer(j, [0.5, 0.5], WITHIN, certificate=only)], None, None),
+        ("j output, wrong d", j, [answer(j, [0.5, 0.5], WITHIN, certificate={"no_exact_solution": ["1", "1"]})], None, "is no proof"),
         ("j no solution", j, [answer(j, [0.5, 0.5], NOT, "failed", certificate=both)], None, "does not prove"),
         ("j infeasible", j, [answer(j, [0.5, 0.5], NOT, "infeasible", certificate={"case_split": 1})], None, "only rounding"),
         ("k true", k, [answer(k, [1e4, 1 - 1e4], NOT, "failed", certificate=both)], None, None),

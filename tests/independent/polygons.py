@@ -493,10 +493,10 @@ def judge(p, tolerance, answer, count):
         if accepts or status == "solved":
             yield "accepted, and not finite"
         return
-    limit, told, at = number(tolerance), number(answer["scaled_residual"], False), p.look(x)
+    limit, output, at = number(tolerance), number(answer["scaled_residual"], False), p.look(x)
     more, less = limit * (1 + CLOSE) + at.doubt, limit * (1 - CLOSE) - at.doubt
-    if not (told == INF or told >= max(at.worst / 2, at.least) * (1 - CLOSE) - at.doubt):
-        yield f"scaled_residual is {show(at.worst)}, not {show(told)}"
+    if not (output == INF or output >= max(at.worst / 2, at.least) * (1 - CLOSE) - at.doubt):
+        yield f"scaled_residual is {show(at.worst)}, not {show(output)}"
     passes = lambda at, most: at.worst <= most and p.is_worth(at, most)
     may_pass = lambda at: max(at.worst / 2, at.least) <= more and p.is_worth(at, more)
     neighbor = p.rounded(x)
@@ -514,8 +514,8 @@ def judge(p, tolerance, answer, count):
         if most > max(map(abs, x), default=Q(0)) / 10**6 * (1 + CLOSE):
             yield "proved with a distance above 1e-6 max|x|"
     if accepts and by is None:
-        if max(at.worst / 2, at.least) > more or not told <= more:
-            yield f"{verdict}, but its residual is {show(at.worst)}, as reported {show(told)}"
+        if max(at.worst / 2, at.least) > more or not output <= more:
+            yield f"{verdict}, but its residual is {show(at.worst)}, as reported {show(output)}"
         elif verdict == WITHIN and not may_pass(at):
             yield "within tolerance, but not worth anything"
         if p.backward_error(x) > FACTOR * limit:
@@ -537,9 +537,9 @@ def judge(p, tolerance, answer, count):
     if not accepts and p.n:
         if type(row) is not int or not 0 <= row < p.n:
             yield f"row {row} does not exist"
-        elif number(answer["amount"], False) != told:
+        elif number(answer["amount"], False) != output:
             yield f"the amount is {answer['amount']}, but scaled_residual is {answer['scaled_residual']}"
-        elif agrees(told, at.worst, CLOSE, at.doubt):
+        elif agrees(output, at.worst, CLOSE, at.doubt):
             here = p.worst_beside(row, at)
             if here < at.worst * (1 - CLOSE) - at.doubt:
                 yield f"row {row} is not of the worst contact: {show(here)}, of {show(at.worst)}"
@@ -658,7 +658,7 @@ def self_test():
         (twice, 4, [2, 1, 0, 0, 0, 0]), (twice, 8, [2, 1, 0, 0, 0, 0]), (block([-2, -3, 0], 0), 8, [2, 0, 0]),
         (block([-2, -3, -3], 0.5, ((1, 0, 0), (0, 4, 0), (0, 0, 4))), 4, [2, 0.5, 0.5])]
     right, wrong = None, "CONTRADICTION"
-    told = [        # what lcplab may say of x, and what must be found wrong with it
+    output = [        # what lcplab may say of x, and what must be found wrong with it
         (along, 4, answer([2, 1, 0], PROVED, **exact), right),
         (along, 4, answer([2, 1, 0], NOT, 1.0), "refused with residual 0"),
         (along, 4, answer([2, 0.5, 0], PROVED, **exact), "no solution is within"),
@@ -711,7 +711,7 @@ def self_test():
         if not is_right:
             failed += 1
             print(f"closed form of {problem['b']}, polygon-{k}: {x}, not {y and list(map(show, y))}, {count} solutions")
-    for problem, k, raw, expected in told:
+    for problem, k, raw, expected in output:
         record = {"name": str(problem["b"]), "problem": problem, "model": f"polygon-{k}", "tolerance": 1e-8,
                   "answers": [raw]}
         said = judge_line(json.dumps(record))[0]
@@ -720,7 +720,7 @@ def self_test():
             print(f"self-test {raw} of {problem['b']}, polygon-{k}: expected {expected!r}, got {said}")
     many = [*(chosen(seed) for seed in range(200)), *(sliding(seed) for seed in range(100))]
     failed += len(many) - sum(many)
-    print(f"self-test: {len(closed) + len(told) + len(many)} cases, {failed} failed")
+    print(f"self-test: {len(closed) + len(output) + len(many)} cases, {failed} failed")
     return 1 if failed else 0
 
 

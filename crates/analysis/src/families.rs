@@ -73,7 +73,7 @@ pub struct Row {
     #[serde(default, skip_serializing_if = "crate::number::is_zero")]
     pub unanswered: usize,
     /// Claims that the judge refutes: this must be 0.
-    pub refuted_claims: usize,
+    pub rejected_claims: usize,
     /// Claims on problems that are known to have no solution: this must be 0.
     pub false_claims: usize,
     /// Sweeps or pivots in all.
@@ -90,7 +90,7 @@ pub struct Row {
     pub fallbacks: usize,
     /// What that was, the last time.
     pub fallback: Option<String>,
-    /// Why the last problem that was not solved was not, or what the judge says of a refuted claim.
+    /// Why the last problem that was not solved was not, or what the judge says of a rejected claim.
     pub trouble: Option<String>,
     /// Why this solver cannot solve this family, where that is known.
     pub known_failure: Option<String>,
@@ -126,12 +126,12 @@ impl Row {
     /// Whether something is claimed that is not so, or a known failure has not happened.
     pub fn is_wrong(&self) -> bool {
         let came_off = self.known_failure.is_some() && self.claimed > 0;
-        self.refuted_claims > 0 || self.false_claims > 0 || came_off
+        self.rejected_claims > 0 || self.false_claims > 0 || came_off
     }
 
     /// Problems that the solver claims to have solved, and has.
     pub fn solved(&self) -> usize {
-        self.claimed.saturating_sub(self.refuted_claims.max(self.false_claims))
+        self.claimed.saturating_sub(self.rejected_claims.max(self.false_claims))
     }
 
     /// Problems that may have a solution.
@@ -184,7 +184,7 @@ impl<'a> Models<'a> {
     }
 }
 
-/// When to stop, and who is told how far it is.
+/// When to stop, and who receives the progress.
 pub struct Limits<'a> {
     /// When all of it ends.
     pub stop: &'a Stop,
@@ -319,7 +319,7 @@ impl Posing<'_> {
             accepted: 0,
             denied: 0,
             unanswered: 0,
-            refuted_claims: 0,
+            rejected_claims: 0,
             false_claims: 0,
             iterations: 0,
             multiplications: Some(0.0),
@@ -416,7 +416,7 @@ impl Row {
         self.claimed += usize::from(claims);
         self.proved += usize::from(holds && certificate.verdict.distance().is_some());
         self.accepted += usize::from(holds);
-        self.refuted_claims += usize::from(claims && !holds);
+        self.rejected_claims += usize::from(claims && !holds);
         self.false_claims += usize::from(claims && unsolvable);
         self.iterations = self.iterations.saturating_add(solution.iterations);
         if let Some(fallback) = solution.fallback {
@@ -429,7 +429,7 @@ impl Row {
             if !holds {
                 self.trouble = Some(labelled(&certificate.verdict, &certificate.w, problem));
             }
-        } else if self.refuted_claims == 0 {
+        } else if self.rejected_claims == 0 {
             self.trouble = Some(solution.status.to_string());
         }
     }

@@ -50,7 +50,7 @@ pub struct Record {
 impl Record {
     fn of(row: &Row) -> Record {
         let outcome = match row {
-            row if row.refuted_claims + row.false_claims > 0 => Outcome::FalseClaim,
+            row if row.rejected_claims + row.false_claims > 0 => Outcome::FalseClaim,
             row if row.unanswered > 0 => Outcome::NoAnswer,
             row if row.accepted + row.denied == row.problems || row.solvable() == 0 => {
                 Outcome::Accepted

@@ -19,7 +19,7 @@ pub struct Tally {
     /// LCPs whose answer the judge accepts.
     pub accepted: usize,
     /// Claims that the judge refutes: this must be 0.
-    pub refuted_claims: usize,
+    pub rejected_claims: usize,
     /// LCPs that the solver is not made for, and says so.
     #[serde(default, skip_serializing_if = "crate::number::is_zero")]
     pub outside: usize,
@@ -76,7 +76,7 @@ impl Tally {
         self.solves += 1;
         self.claimed += usize::from(claims);
         self.accepted += usize::from(holds);
-        self.refuted_claims += usize::from(claims && !holds);
+        self.rejected_claims += usize::from(claims && !holds);
         self.outside += usize::from(matches!(solution.status, Status::OutsideClass { .. }));
         self.unanswered += usize::from(!is_answered);
         self.iterations = self.iterations.saturating_add(solution.iterations);

@@ -147,7 +147,7 @@ pub enum Outcome {
     /// Claimed, and the judge finds x within the tolerance.
     Accepted,
     /// Claimed, but the judge rejects it: this must not happen.
-    Refuted,
+    Rejected,
     /// The residual is within the tolerance, but the answer is hardly better than x = 0: the solver
     /// withdraws its claim. A loose tolerance can cause this if masses are very different.
     Withdrawn,
@@ -167,7 +167,7 @@ impl Outcome {
                 Verdict::Proved { .. } => Outcome::Proved,
                 Verdict::WithinTolerance => Outcome::Accepted,
                 // Also a verdict of a later judge: only the two above accept.
-                _ => Outcome::Refuted,
+                _ => Outcome::Rejected,
             },
             Status::Diverged if is_within() => Outcome::Withdrawn,
             Status::OutsideClass { reason } => Outcome::Outside((*reason).to_string()),
@@ -187,7 +187,7 @@ impl Outcome {
 
     /// Whether the solver claims a solution.
     pub fn is_claim(&self) -> bool {
-        matches!(self, Outcome::Proved | Outcome::Accepted | Outcome::Refuted)
+        matches!(self, Outcome::Proved | Outcome::Accepted | Outcome::Rejected)
     }
 
     /// The outcome in one or two words, or the reason.
@@ -195,7 +195,7 @@ impl Outcome {
         match self {
             Outcome::Proved => "proved",
             Outcome::Accepted => "within tolerance",
-            Outcome::Refuted => "claimed, rejected",
+            Outcome::Rejected => "claimed, rejected",
             Outcome::Withdrawn => "within tolerance, but hardly better than x = 0: no claim",
             Outcome::Failed(reason) | Outcome::Outside(reason) => reason,
         }

@@ -24,7 +24,7 @@ class Comparison:
     ----------
     rows : list of dict
         Rows with the keys ``family`` (the problem), ``model``, ``solver``, ``claimed``, ``accepted``, ``proved``,
-        ``refuted_claims``, ``iterations``, ``multiplications``, ``worst_residual``, ``seconds``, ``trouble`` and others.
+        ``rejected_claims``, ``iterations``, ``multiplications``, ``worst_residual``, ``seconds``, ``trouble`` and others.
     """
 
     _COLUMNS = (

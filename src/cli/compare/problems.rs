@@ -142,7 +142,7 @@ impl Compare {
         Ok(match stopped {
             Some(reason) => Outcome::Stopped(reason),
             None if failures.is_empty() && !rows.iter().any(Row::is_wrong) => Outcome::Good,
-            None => Outcome::Refuted,
+            None => Outcome::Rejected,
         })
     }
 

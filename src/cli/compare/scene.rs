@@ -120,14 +120,14 @@ impl Compare {
         if let Some(page) = written {
             say(&page?.display().to_string());
         }
-        let refuted = comparison
+        let rejected = comparison
             .runs
             .iter()
-            .any(|run| run.tally.refuted_claims > 0 || run.tally.unanswered > 0);
+            .any(|run| run.tally.rejected_claims > 0 || run.tally.unanswered > 0);
         let all_left_out = !named.is_empty() && comparison.left_out.len() == named.len();
         Ok(match stopped {
             Some(reason) => Outcome::Stopped(reason),
-            None if refuted || all_left_out => Outcome::Refuted,
+            None if rejected || all_left_out => Outcome::Rejected,
             None => Outcome::Good,
         })
     }

@@ -50,7 +50,7 @@ impl Export {
                         return Ok(Outcome::Stopped(reason));
                     }
                     say(&format!("error: {}: {failure}", scene.name));
-                    return Ok(Outcome::Refuted);
+                    return Ok(Outcome::Rejected);
                 }
             }
         }
@@ -60,12 +60,12 @@ impl Export {
             Ok(solves) => solves.unwrap_or_default(),
             Err(cause) => {
                 say(&format!("error: {}: step {}: {cause}", scene.name, self.step));
-                return Ok(Outcome::Refuted);
+                return Ok(Outcome::Rejected);
             }
         };
         let Some(solve) = solves.last() else {
             say(&format!("error: {}: step {} solves no LCP", scene.name, self.step));
-            return Ok(Outcome::Refuted);
+            return Ok(Outcome::Rejected);
         };
         let problem = solve.exported(&scene, self.step as usize);
         let text = format!("{}\n", problem.to_json());

@@ -128,7 +128,7 @@ impl Simulate {
         Ok(match failure.and_then(|failure| failure.cause.stopped()) {
             Some(reason) => Outcome::Stopped(reason),
             None if record.is_good() => Outcome::Good,
-            None => Outcome::Refuted,
+            None => Outcome::Rejected,
         })
     }
 

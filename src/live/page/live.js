@@ -18,10 +18,10 @@ const opened = (async () => {
     new Uint8Array(memory.buffer, place, given.length).set(given);
     const answer = ask(place, given.length);
     const length = new DataView(memory.buffer).getUint32(answer, true);
-    const told = decoder.decode(new Uint8Array(memory.buffer, answer + 4, length));
+    const reply = decoder.decode(new Uint8Array(memory.buffer, answer + 4, length));
     back(answer, length);
-    if (window.asked) window.asked.push([JSON.stringify(question), told]); // for those who compare
-    return JSON.parse(told);
+    if (window.asked) window.asked.push([JSON.stringify(question), reply]); // for those who compare
+    return JSON.parse(reply);
   };
 })();
 
@@ -103,7 +103,7 @@ const short = (value, digits = 4) => {
 };
 const number = (value) => (value === "inf" ? Infinity : value === "-inf" ? -Infinity : value);
 
-// A handle that is dragged by pointer and by arrow keys; moved(dx, dy) is told in the picture's own units.
+// A handle that is dragged by pointer and by arrow keys; moved(dx, dy) is given in the picture's own units.
 function draggable(handle, picture, moved, step) {
   handle.setAttribute("tabindex", "0");
   const place = (event) => {

@@ -114,8 +114,8 @@ function take(text, changes) {
 }
 function judge() {
   const x = parse(find("#x").value);
-  const told = Array.isArray(x) ? ask({ ask: "judge", problem, x: x.map(Number) }) : { error: `x: expected a list of numbers${x?.error ? ` (${x.error})` : ""}` };
-  setLines(find("#judge"), told.error ?? told.text);
+  const verdict = Array.isArray(x) ? ask({ ask: "judge", problem, x: x.map(Number) }) : { error: `x: expected a list of numbers${x?.error ? ` (${x.error})` : ""}` };
+  setLines(find("#judge"), verdict.error ?? verdict.text);
   find("#proof").hidden = find("#save").hidden = true;
 }
 function prove() {

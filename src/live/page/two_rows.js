@@ -157,10 +157,10 @@ function freeDirection(x) {
 
 function drawSays() {
   const count = trace.all === null ? null : trace.all.length, says = [];
-  const told = ({ x, fractions }) => `(${fractions.map((text, i) => (text.length > 9 ? short(x[i], 6) : text)).join(", ")})`;
+  const written = ({ x, fractions }) => `(${fractions.map((text, i) => (text.length > 9 ? short(x[i], 6) : text)).join(", ")})`;
   const ways = (trace.all ?? []).map(({ x }) => freeDirection(x)).find(Boolean);
-  if (ways) says.push(`Infinitely many solutions, from ${told(trace.all[0])} in the direction (${ways.map((v) => short(v)).join(", ")}).`);
-  else says.push(count === 0 ? "No solution." : count === 1 ? `One solution: ${told(trace.all[0])}.` : count === null ? "" : `Solutions: ${trace.all.map(told).join(", ")}.`);
+  if (ways) says.push(`Infinitely many solutions, from ${written(trace.all[0])} in the direction (${ways.map((v) => short(v)).join(", ")}).`);
+  else says.push(count === 0 ? "No solution." : count === 1 ? `One solution: ${written(trace.all[0])}.` : count === null ? "" : `Solutions: ${trace.all.map(written).join(", ")}.`);
   if (trace.status !== undefined) {
     const sweeps = SWEEPS.includes(state.solver);
     if (sweeps && typeof trace.rate === "number") says.push(`In the long run each sweep multiplies the error by ${short(trace.rate, 3)}.`);

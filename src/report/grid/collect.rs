@@ -25,9 +25,9 @@ pub struct Collection {
 
 impl Collection {
     /// The number of solvers' claims that the judge rejects.
-    pub(crate) fn refuted(&self) -> usize {
-        let refuted = |record: &Record| record.finding.as_ref()?.get("refuted");
-        self.done.iter().filter_map(|(_, record)| refuted(record)).sum::<f64>() as usize
+    pub(crate) fn rejected(&self) -> usize {
+        let rejected = |record: &Record| record.finding.as_ref()?.get("rejected");
+        self.done.iter().filter_map(|(_, record)| rejected(record)).sum::<f64>() as usize
     }
 
     /// The points with their results.

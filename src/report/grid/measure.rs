@@ -51,7 +51,7 @@ pub const MEASURES: [Measure; 16] = [
     measure("solves", "", "LCPs solved"),
     measure("claimed", "", "LCPs that the solver reports as solved"),
     measure("accepted", "", "answers that the judge accepts"),
-    measure("refuted", "", "false claims, rejected by the judge"),
+    measure("rejected", "", "false claims, rejected by the judge"),
     measure("work", "", "multiplications, leading-order count; only for families"),
     measure(
         "rate",
@@ -283,7 +283,7 @@ impl Answers {
             ("solves", tally.solves),
             ("claimed", tally.claimed),
             ("accepted", tally.accepted),
-            ("refuted", tally.refuted_claims),
+            ("rejected", tally.rejected_claims),
         ] {
             finding.values.insert(name.into(), count.into());
         }

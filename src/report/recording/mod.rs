@@ -213,7 +213,7 @@ impl Record {
             "time": number(self.last.time),
             "problems": self.tally.solves,
             "accepted": self.tally.accepted,
-            "refuted_claims": self.tally.refuted_claims,
+            "rejected_claims": self.tally.rejected_claims,
             "worst_residual": (self.tally.solves > 0).then(|| number(self.tally.worst_residual)),
             "energy_start": number(self.first.energy()),
             "energy_end": number(self.last.energy()),

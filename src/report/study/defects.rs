@@ -96,7 +96,7 @@ impl Study for Plan {
 }
 
 impl Defect {
-    /// Whether the defective release is told from the corrected one.
+    /// Whether the defective release is distinguished from the corrected one.
     pub(crate) fn is_detected(&self) -> bool {
         self.outcome.starts_with("detected")
     }

@@ -10,7 +10,7 @@ use crate::solver::Registry;
 pub(crate) fn outcome(outcome: &Outcome) -> Cell {
     let mark = match outcome {
         Outcome::Proved | Outcome::Accepted => Mark::Good,
-        Outcome::Refuted => Mark::Bad,
+        Outcome::Rejected => Mark::Bad,
         Outcome::Withdrawn | Outcome::Failed(_) => Mark::Note,
         Outcome::Outside(_) => Mark::Plain,
     };

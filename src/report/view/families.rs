@@ -43,14 +43,14 @@ pub(crate) fn by_solver(rows: &[Row]) -> Table {
     let cells = |name: &&str| {
         let own: Vec<&Row> = rows.iter().filter(|row| row.solver == *name).collect();
         let sum = |of: fn(&Row) -> usize| own.iter().map(|row| of(row)).sum::<usize>();
-        let refuted = sum(|row| row.claimed - row.accepted.min(row.claimed));
+        let rejected = sum(|row| row.claimed - row.accepted.min(row.claimed));
         vec![
             Cell::text(*name),
             Cell::count(sum(|row| row.problems)),
             Cell::count(sum(|row| row.outside)),
             Cell::count(sum(|row| row.claimed)),
             Cell::count(sum(|row| row.accepted)),
-            Cell::count(refuted).marked(if refuted == 0 { Mark::Plain } else { Mark::Bad }),
+            Cell::count(rejected).marked(if rejected == 0 { Mark::Plain } else { Mark::Bad }),
             Cell::number(1e3 * own.iter().map(|row| row.seconds).sum::<f64>(), 2),
         ]
     };
@@ -87,7 +87,7 @@ fn cells(row: &Row) -> Vec<Cell> {
         Cell::count(row.claimed).marked(if short { Mark::Note } else { Mark::Plain }),
         Cell::count(row.proved),
         Cell::count(row.accepted),
-        zero(row.refuted_claims),
+        zero(row.rejected_claims),
         zero(row.false_claims),
         Cell::number(row.iterations as f64 / attempts.max(1) as f64, 3),
         work.map_or(Cell::text("–"), |work| Cell::number(work, 3)),

@@ -21,7 +21,7 @@ impl View for Plan {
     }
 
     fn outcome(&self, found: &[PointResult]) -> Outcome {
-        let refuted = found.iter().filter(|own| own.finding.get("refuted") > Some(0.0)).count();
+        let rejected = found.iter().filter(|own| own.finding.get("rejected") > Some(0.0)).count();
         let claims: Vec<bool> = found.iter().flat_map(|own| own.finding.claims()).collect();
         let held = claims.iter().filter(|held| **held).count();
         let theory = match claims.len() {
@@ -30,9 +30,9 @@ impl View for Plan {
         };
         let (points, all) = (found.len(), self.plan.tasks.len());
         let says = format!(
-            "{points} of {all} points of the grid measured{theory}, {refuted} with false claims"
+            "{points} of {all} points of the grid measured{theory}, {rejected} with false claims"
         );
-        Outcome { good: refuted == 0 && held == claims.len(), says }
+        Outcome { good: rejected == 0 && held == claims.len(), says }
     }
 }
 

@@ -68,14 +68,14 @@ impl View for Plan {
 
     fn outcome(&self, tried: &[FamilyAttempts]) -> Outcome {
         let all = |of| count(tried, None, None, of);
-        let refuted = all(|attempt| attempt.outcome == trial::Outcome::Refuted);
+        let rejected = all(|attempt| attempt.outcome == trial::Outcome::Rejected);
         let says = format!(
-            "{} attempts: {} reported as solved, {} answers accepted by the judge, {refuted} false claims",
+            "{} attempts: {} reported as solved, {} answers accepted by the judge, {rejected} false claims",
             all(|attempt| attempt.outcome.is_attempt()),
             all(|attempt| attempt.outcome.is_claim()),
             all(|attempt| attempt.outcome.is_solved()),
         );
-        Outcome { good: refuted == 0, says }
+        Outcome { good: rejected == 0, says }
     }
 }
 
@@ -186,8 +186,8 @@ impl Plan {
             (share(profile) * profile.attempted as f64).round() as usize
         });
         let cheapest = named().max_by(|(_, a), (_, b)| at_one(a).total_cmp(&at_one(b)));
-        let refuted =
-            count(tried, None, None, |attempt| attempt.outcome == trial::Outcome::Refuted);
+        let rejected =
+            count(tried, None, None, |attempt| attempt.outcome == trial::Outcome::Rejected);
         let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
         let mut text = format!("At {} ", tolerance(self.tolerances[last]));
         text += &match all.is_empty() {
@@ -219,7 +219,7 @@ impl Plan {
             );
         }
         text + &format!(
-            "No solver solved {unsolved} of {} problems. False claims at all precisions: {refuted}.",
+            "No solver solved {unsolved} of {} problems. False claims at all precisions: {rejected}.",
             costs.len()
         )
     }
@@ -231,7 +231,7 @@ impl Plan {
                 let count = |of: fn(&Attempt) -> bool| count(tried, Some(solver), Some(k), of);
                 let attempted = count(|attempt| attempt.outcome.is_attempt());
                 let claimed = count(|attempt| attempt.outcome.is_claim());
-                let refuted = count(|attempt| attempt.outcome == trial::Outcome::Refuted);
+                let rejected = count(|attempt| attempt.outcome == trial::Outcome::Rejected);
                 let solved = count(|attempt| attempt.outcome.is_solved());
                 rows.push(vec![
                     Cell::text(solver),
@@ -241,7 +241,11 @@ impl Plan {
                     Cell::count(claimed),
                     Cell::count(solved),
                     Cell::count(count(|attempt| attempt.outcome == trial::Outcome::Proved)),
-                    Cell::count(refuted).marked(if refuted == 0 { Mark::Plain } else { Mark::Bad }),
+                    Cell::count(rejected).marked(if rejected == 0 {
+                        Mark::Plain
+                    } else {
+                        Mark::Bad
+                    }),
                     Cell::count(attempted - claimed),
                     {
                         let (solved, all) = semidefinite(tried, solver, k);

@@ -62,21 +62,21 @@ fn object(text: &str) -> Value {
 }
 
 /// Checks an answer against the law; returns whether it is accepted.
-fn holds(answer: &Value, code: Option<i32>, told: &str) -> bool {
+fn holds(answer: &Value, code: Option<i32>, reported: &str) -> bool {
     let verdict = answer["verdict"].as_str().unwrap();
     let accepts = verdict != "not_a_solution";
-    assert_eq!(code, Some(i32::from(!accepts)), "{told}");
+    assert_eq!(code, Some(i32::from(!accepts)), "{reported}");
     let certificate = &answer["certificate"];
     let denies =
         certificate.get("no_solution").is_some() || certificate.get("case_split").is_some();
-    assert!(!(denies && accepts), "{told}");
+    assert!(!(denies && accepts), "{reported}");
     assert_eq!(
         answer["status"] == "infeasible",
         denies && answer["message"].as_str().unwrap().starts_with("no solution exists"),
-        "{told}"
+        "{reported}"
     );
     if answer["status"] == "solved" && !accepts {
-        assert!(denies || answer["amount"].as_f64().unwrap() <= 1e-8, "{told}");
+        assert!(denies || answer["amount"].as_f64().unwrap() <= 1e-8, "{reported}");
     }
     accepts
 }
@@ -96,9 +96,9 @@ fn status_verdict_diagnosis_message_and_exit_code_agree() {
             let arguments = ["solve", "-", "--solver", solver, "--json"];
             let output = run_with(problem, &arguments);
             let answer = object(&out(&output));
-            let told = format!("{solver} of {problem}: {answer}");
-            let accepts = holds(&answer, output.status.code(), &told);
-            assert!(is_solvable || !accepts, "{told}");
+            let reported = format!("{solver} of {problem}: {answer}");
+            let accepts = holds(&answer, output.status.code(), &reported);
+            assert!(is_solvable || !accepts, "{reported}");
             // The same answer, judged by itself, has the same verdict.
             let x = json!({ "x": answer["x"] }).to_string();
             let folder = tempfile::tempdir().unwrap();
@@ -106,8 +106,8 @@ fn status_verdict_diagnosis_message_and_exit_code_agree() {
             std::fs::write(&path, x).unwrap();
             let judged = run_with(problem, &["judge", "-", path.to_str().unwrap(), "--json"]);
             let again = object(&out(&judged));
-            assert_eq!(again["verdict"] != "not_a_solution", accepts, "{told} {again}");
-            assert_eq!(judged.status.code(), output.status.code(), "{told}");
+            assert_eq!(again["verdict"] != "not_a_solution", accepts, "{reported} {again}");
+            assert_eq!(judged.status.code(), output.status.code(), "{reported}");
             let text = out(&run_with(problem, &arguments[..4]));
             let words = text.contains("verdict    not a solution");
             assert_eq!(words, !accepts, "{text}");
@@ -134,8 +134,8 @@ fn hostile_problems_and_the_library_agree_with_themselves() {
         for solver in ["dantzig", "lemke", "pgs", "enumeration"] {
             let output = run_with(&problem, &["solve", "-", "--solver", solver, "--json"]);
             let answer = object(&out(&output));
-            let told = format!("{solver} of {problem}: {answer}");
-            any |= holds(&answer, output.status.code(), &told) && answer["verdict"] == "proved";
+            let reported = format!("{solver} of {problem}: {answer}");
+            any |= holds(&answer, output.status.code(), &reported) && answer["verdict"] == "proved";
             denied |= answer["status"] == "infeasible";
         }
         assert!(!(any && denied), "{problem}");
@@ -187,10 +187,10 @@ fn a_step_that_simulate_accepts_is_accepted_as_a_file() {
             let step = step.to_string();
             let exported = out(&run(&[&["export", &scene, "--step", &step], &set[..]].concat()));
             let solved = run_with(&exported, &["solve", "-", "--json"]);
-            let told = out(&solved);
-            assert!(holds(&object(&told), solved.status.code(), &told), "{told}");
-            inexact += usize::from(told.contains("no_exact_solution"));
-            std::fs::write(&answer, &told).unwrap();
+            let reported = out(&solved);
+            assert!(holds(&object(&reported), solved.status.code(), &reported), "{reported}");
+            inexact += usize::from(reported.contains("no_exact_solution"));
+            std::fs::write(&answer, &reported).unwrap();
             let judged = run_with(&exported, &["judge", "-", &answer]);
             assert_eq!(judged.status.code(), Some(0), "{}", out(&judged));
             let diagnosis = object(&out(&run_with(&exported, &["diagnose", "-", "--json"])));
@@ -241,8 +241,8 @@ fn a_step_without_solution_is_accepted_by_no_command() {
         let simulated = run(&["simulate", &scene, "--steps", "1", "--solver", solver]);
         assert_eq!(simulated.status.code(), Some(1), "{}", out(&simulated));
         let solved = run_with(&exported, &["solve", "-", "--solver", solver, "--json"]);
-        let told = out(&solved);
-        assert!(!holds(&object(&told), solved.status.code(), &told), "{told}");
+        let reported = out(&solved);
+        assert!(!holds(&object(&reported), solved.status.code(), &reported), "{reported}");
     }
     assert_eq!(object(&out(&run(&["diagnose", &scene, "--json"])))["is_sound"], false);
 }

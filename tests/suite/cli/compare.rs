@@ -61,7 +61,7 @@ fn a_cone_in_the_plane_is_compared_as_the_box_that_it_is() {
 
 #[test]
 fn what_leaves_nothing_to_compare_is_the_option_that_was_given() {
-    let told = |options: &[&str]| {
+    let reported = |options: &[&str]| {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("plane.json");
         std::fs::write(&path, PLANE).unwrap();
@@ -70,7 +70,7 @@ fn what_leaves_nothing_to_compare_is_the_option_that_was_given() {
         err(&output).lines().last().unwrap().to_string()
     };
     let error = "error: options: --model: none of these problems can be stated under this model";
-    assert_eq!(told(&["--model", "coulomb-cone"]), error);
+    assert_eq!(reported(&["--model", "coulomb-cone"]), error);
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
         let table: Value = serde_json::from_str(&out(&output)).unwrap();
         (table["rows"].as_array().unwrap().clone(), output.status.code(), err(&output))
     };
-    let (rows, code, told) = compare(&["family:stack", "--solver", "cone-pgs"]);
+    let (rows, code, reported) = compare(&["family:stack", "--solver", "cone-pgs"]);
     let reason = "not run: it supports only friction cones, and the problem has none";
     let row = &rows[0];
     assert_eq!(
@@ -89,7 +89,7 @@ fn a_named_solver_that_is_not_made_for_the_problem_is_a_row_with_the_reason() {
     );
     assert_eq!((&row["outside"], &row["claimed"]), (&row["problems"], &0.into()));
     assert_eq!(code, Some(1));
-    assert!(told.contains("failed: cone-pgs solves none of"), "{told}");
+    assert!(reported.contains("failed: cone-pgs solves none of"), "{reported}");
     // Beside one that takes part it is a row all the same, and still solves nothing.
     let (rows, code, _) = compare(&["family:stack", "--solver", "cone-pgs", "--solver", "dantzig"]);
     assert_eq!((rows.len(), code), (2, Some(1)));

@@ -8,8 +8,8 @@ fn a_page_shows_animation_pattern_and_sweeps_and_the_problems_lie_beside_it() {
     let page = folder.path().join("why.html");
     let [scene, sweeps] = ["mass_ratio3", "10"];
     let path = page.to_str().unwrap();
-    let told = run(&["diagnose", scene, "--solver", "pgs", "--sweeps", sweeps, "--out", path]);
-    assert_eq!((told.status.code(), out(&told)), (Some(0), String::new()));
+    let output = run(&["diagnose", scene, "--solver", "pgs", "--sweeps", sweeps, "--out", path]);
+    assert_eq!((output.status.code(), out(&output)), (Some(0), String::new()));
     let page = std::fs::read_to_string(&page).unwrap();
     for part in [
         "Cause: mass ratio",
@@ -46,17 +46,17 @@ fn a_folder_in_which_a_problem_has_no_solution_is_not_well() {
     let [fine, impossible] = ["1.json", "2.json"].map(|name| folder.path().join(name));
     std::fs::write(fine, super::GOOD).unwrap();
     let path = folder.path().to_str().unwrap();
-    let told = run(&["diagnose", path]);
-    assert_eq!(told.status.code(), Some(0), "{}", out(&told));
-    assert!(out(&told).contains("No cause of errors was found."), "{}", out(&told));
+    let output = run(&["diagnose", path]);
+    assert_eq!(output.status.code(), Some(0), "{}", out(&output));
+    assert!(out(&output).contains("No cause of errors was found."), "{}", out(&output));
     std::fs::write(impossible, r#"{"A": {"dense": [[0]]}, "b": [-1]}"#).unwrap(); // w = −1
-    let told = run(&["diagnose", path]);
-    assert_eq!(told.status.code(), Some(1), "{}", out(&told));
+    let output = run(&["diagnose", path]);
+    assert_eq!(output.status.code(), Some(1), "{}", out(&output));
     let words = "No accepted answer to 2.json is known.";
-    assert!(out(&told).contains(words) && !out(&told).contains("No cause"), "{}", out(&told));
-    let told = run(&["diagnose", path, "--json"]);
-    let object: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
-    assert_eq!(told.status.code(), Some(1));
+    assert!(out(&output).contains(words) && !out(&output).contains("No cause"), "{}", out(&output));
+    let output = run(&["diagnose", path, "--json"]);
+    let object: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(1));
     assert_eq!(object["unsolved"], serde_json::json!(["2.json"]));
 }
 
@@ -64,9 +64,9 @@ fn a_folder_in_which_a_problem_has_no_solution_is_not_well() {
 fn how_many_solvers_keep_gaps_and_joints_closed_is_counted_from_the_runs() {
     let solvers = ["pgs", "jacobi", "spectral", "dantzig", "lemke"].map(|name| ["--solver", name]);
     let scene = ["compare", "mass_ratio3", "--steps", "3", "--json"];
-    let told = run(&[&scene[..], solvers.as_flattened()].concat());
-    let told: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
-    let (answer, comparison) = (told["answer"].as_str().unwrap(), &told["comparison"]);
+    let output = run(&[&scene[..], solvers.as_flattened()].concat());
+    let output: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let (answer, comparison) = (output["answer"].as_str().unwrap(), &output["comparison"]);
     let thinnest = comparison["thinnest"].as_f64().unwrap();
     for scheme in ["velocity", "acceleration"] {
         let runs = comparison["runs"].as_array().unwrap().iter();
@@ -113,11 +113,12 @@ fn a_plug_in_with_a_bug_is_suspected_and_not_the_scene() {
     std::fs::write(&scene, text).unwrap();
     std::fs::write(&plugin, MU_SQUARED).unwrap();
     let command = format!("python3 '{}'", plugin.display());
-    let told = run(&["diagnose", scene.to_str().unwrap(), "--plugin", &command, "--sweeps", "200"]);
-    let words = out(&told).split_whitespace().collect::<Vec<_>>().join(" ");
+    let output =
+        run(&["diagnose", scene.to_str().unwrap(), "--plugin", &command, "--sweeps", "200"]);
+    let words = out(&output).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(words.contains("Cause: suspect the solver. Its error is"), "{words}");
     assert!(!words.contains("tall column") && !words.contains("slow sweeps"), "{words}");
-    assert_eq!(told.status.code(), Some(0));
+    assert_eq!(output.status.code(), Some(0));
 }
 
 /// 6 pivots left 200 % of nothing: rounding was compared with rounding.
@@ -131,8 +132,8 @@ fn a_motor_that_presses_against_a_wall_is_no_trouble() {
                 [[constraints]]\nkind = \"slider\"\nbodies = [\"block\"]\naxis = [1, 0, 0]\n\
                 [[constraints]]\nkind = \"motor_translation\"\nbodies = [\"block\"]\naxis = [1, 0, 0]\nspeed = 1\neffort = 10\n";
     std::fs::write(&scene, text).unwrap();
-    let told = run(&["diagnose", scene.to_str().unwrap(), "--step", "25"]);
-    let words = out(&told).split_whitespace().collect::<Vec<_>>().join(" ");
+    let output = run(&["diagnose", scene.to_str().unwrap(), "--step", "25"]);
+    let words = out(&output).split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         words.contains("dantzig solved the problem of this step in")
             && words.contains("No cause of errors was found"),
@@ -152,8 +153,8 @@ fn a_diagnosis_begins_with_no_cause_exactly_if_it_has_none() {
         (&["stack", "--solver", "pgs", "--sweeps", "3"], true),
         (&["stretched_chain", "--set", "step.baumgarte=0.8"], true),
     ] {
-        let told = out(&run(&[&["diagnose"], scene].concat()));
-        let (begin, rest) = told.split_once("\n1 ").expect("a first section");
+        let output = out(&run(&[&["diagnose"], scene].concat()));
+        let (begin, rest) = output.split_once("\n1 ").expect("a first section");
         let [begin, rest] =
             [begin, rest].map(|text| text.split_whitespace().collect::<Vec<_>>().join(" "));
         let announces = begin.ends_with("the causes of the error follow.");

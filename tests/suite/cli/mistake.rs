@@ -16,9 +16,9 @@ fn the_mistake_behind_an_answer_is_named_with_the_exit_code_of_the_judge() {
     let problem = file("problem.json", FIG7);
     // Two sweeps by hand.
     let stopped = file("stopped.json", r#"{"x": [2, 1.5, 0.25]}"#);
-    let told = run(&["diagnose", &problem, &stopped]);
-    let text = String::from_utf8(told.stdout).unwrap();
-    assert_eq!(told.status.code(), Some(1));
+    let message = run(&["diagnose", &problem, &stopped]);
+    let text = String::from_utf8(message.stdout).unwrap();
+    assert_eq!(message.status.code(), Some(1));
     assert!(text.contains("projected Gauss-Seidel, stopped after 2 sweeps (exactly)"), "{text}");
     assert!(text.contains("\nSweeps stopped too early: Allow more sweeps, start from"), "{text}");
     // Neither sweep meets a bound, and every number fits into 32 bits.
@@ -29,22 +29,25 @@ fn the_mistake_behind_an_answer_is_named_with_the_exit_code_of_the_judge() {
     );
     // Of an answer that no mistake explains, the output states what it was compared with.
     let unknown = file("unknown.json", r#"{"x": [3.1415, 2.7182, 0.5772]}"#);
-    let told = String::from_utf8(run(&["diagnose", &problem, &unknown]).stdout).unwrap();
+    let message = String::from_utf8(run(&["diagnose", &problem, &unknown]).stdout).unwrap();
     let compared = "the first 2,000 iterates of each method, and with the first 100 on each";
-    assert!(told.contains(compared), "{told}");
+    assert!(message.contains(compared), "{message}");
 
     let right = file("right.json", r#"{"x": [4, 3, 1]}"#);
-    let told = run(&["diagnose", &problem, &right, "--json"]);
-    let json: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
-    assert_eq!(told.status.code(), Some(0));
+    let message = run(&["diagnose", &problem, &right, "--json"]);
+    let json: serde_json::Value = serde_json::from_slice(&message.stdout).unwrap();
+    assert_eq!(message.status.code(), Some(0));
     assert_eq!((&json["verdict"], &json["mistakes"]), (&"proved".into(), &serde_json::json!([])));
 
     // A sweep from the last answer (4, 3, 2): x₀ = 1 + 3, x₁ = (1 + 4 + 2)/2, x₂ = (3.5 − 1)/2.
     let last = file("last.json", r#"{"x": [4, 3, 2]}"#);
     let swept = file("swept.json", r#"{"x": [4, 3.5, 1.25]}"#);
-    let told =
+    let message =
         String::from_utf8(run(&["diagnose", &problem, &swept, "--last", &last]).stdout).unwrap();
-    assert!(told.contains("Gauss-Seidel from the last answer, stopped after 1 sweep"), "{told}");
+    assert!(
+        message.contains("Gauss-Seidel from the last answer, stopped after 1 sweep"),
+        "{message}"
+    );
     assert_eq!(run(&["diagnose", &problem, "--last", &last]).status.code(), Some(2));
 
     let short = file("short.json", r#"{"x": [4, 3]}"#);
@@ -54,9 +57,9 @@ fn the_mistake_behind_an_answer_is_named_with_the_exit_code_of_the_judge() {
         "b": [-2, -2.6, -1.5], "friction_index": [-1, 0, 0], "mu": [0, 0.5, 0.5]}"#;
     // Each tangent at its own limit μ x_n: right for the box, outside the polygon.
     let boxed = file("boxed.json", r#"{"x": [2, 1, 1]}"#);
-    let told = run(&["diagnose", &file("polygon.json", polygon), &boxed]);
-    assert_eq!(told.status.code(), Some(1));
-    let text = String::from_utf8(told.stdout).unwrap();
+    let message = run(&["diagnose", &file("polygon.json", polygon), &boxed]);
+    assert_eq!(message.status.code(), Some(1));
+    let text = String::from_utf8(message.stdout).unwrap();
     // Sweeps that clamp each tangent on its own solve the box.
     for name in [
         "projected Gauss-Seidel with each tangent clamped on its own, after 1 sweep or more (exactly)",
@@ -75,13 +78,22 @@ fn an_accepted_answer_is_accused_of_nothing() {
         path.to_str().unwrap().to_string()
     };
     let problem = file("problem.json", FIG7);
-    let told = run(&["diagnose", &problem, &file("right.json", r#"{"x": [4, 3, 1]}"#)]);
-    assert_eq!((told.status.code(), out(&told).lines().count()), (Some(0), 1), "{}", out(&told));
+    let message = run(&["diagnose", &problem, &file("right.json", r#"{"x": [4, 3, 1]}"#)]);
+    assert_eq!(
+        (message.status.code(), out(&message).lines().count()),
+        (Some(0), 1),
+        "{}",
+        out(&message)
+    );
     // Near the solution, but not accepted: no method that leads to it is to blame.
     let near = file("near.json", r#"{"x": [4.0000123, 3.0000321, 1.0000213]}"#);
-    let told = run(&["diagnose", &problem, &near]);
-    assert_eq!(told.status.code(), Some(1));
-    assert!(out(&told).contains("No known mistake was found that gives this x."), "{}", out(&told));
+    let message = run(&["diagnose", &problem, &near]);
+    assert_eq!(message.status.code(), Some(1));
+    assert!(
+        out(&message).contains("No known mistake was found that gives this x."),
+        "{}",
+        out(&message)
+    );
     let object: serde_json::Value =
         serde_json::from_slice(&run(&["diagnose", &problem, &near, "--json"]).stdout).unwrap();
     assert_eq!(
@@ -95,9 +107,9 @@ fn an_accepted_answer_is_accused_of_nothing() {
 
 #[test]
 fn the_list_of_known_mistakes_is_that_of_the_page() {
-    let told = run(&["diagnose", "--mistakes", "--json"]);
-    assert_eq!(told.status.code(), Some(0));
-    let list: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
+    let message = run(&["diagnose", "--mistakes", "--json"]);
+    assert_eq!(message.status.code(), Some(0));
+    let list: serde_json::Value = serde_json::from_slice(&message.stdout).unwrap();
     let row = |own: &serde_json::Value| {
         let cell = |key: &str| own[key].as_str().unwrap().to_string();
         format!("| {} | {} | {} |", cell("name"), cell("computes"), cell("check"))

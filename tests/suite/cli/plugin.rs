@@ -9,7 +9,7 @@ const SWEEPS: &str =
     concat!("python3 '", env!("CARGO_MANIFEST_DIR"), "/examples/plugins/sweeps.py'");
 
 /// The JSON that a command puts out, and its exit code.
-fn told(command: &[&str]) -> (Value, Option<i32>) {
+fn message(command: &[&str]) -> (Value, Option<i32>) {
     let output = run(&[command, &["--json"]].concat());
     let json = serde_json::from_str(&out(&output));
     (json.unwrap_or_else(|_| panic!("{}", err(&output))), output.status.code())
@@ -20,7 +20,7 @@ fn a_problem_is_solved_by_a_plug_in_and_judged() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("push.json");
     std::fs::write(&file, r#"{"A": {"dense": [[2, -1], [-1, 2]]}, "b": [-1, 2]}"#).unwrap();
-    let (answer, code) = told(&["solve", file.to_str().unwrap(), "--plugin", SWEEPS]);
+    let (answer, code) = message(&["solve", file.to_str().unwrap(), "--plugin", SWEEPS]);
     assert_eq!((&answer["solver"], &answer["status"]), (&"sweeps".into(), &"solved".into()));
     assert_eq!((&answer["verdict"], code), (&"proved".into(), Some(0)));
     assert_eq!(answer["x"], serde_json::json!([0.5, 0.0]));
@@ -36,7 +36,7 @@ fn a_folder_of_problems_shows_which_claims_are_wrong_and_in_which_row() {
         std::fs::write(folder.path().join(name), text).unwrap();
     }
     let path = folder.path().to_str().unwrap();
-    let (table, code) = told(&["compare", path, "--solver", "dantzig", "--plugin", SWEEPS]);
+    let (table, code) = message(&["compare", path, "--solver", "dantzig", "--plugin", SWEEPS]);
     let rows: Vec<_> = table["rows"].as_array().unwrap().iter().collect();
     let brief = |row: &Value| {
         let file = row["family"].as_str().unwrap().rsplit(['/', '\\']).next().unwrap().to_string();
@@ -81,7 +81,7 @@ fn file(text: &str) -> (tempfile::TempDir, String) {
 #[test]
 fn a_plug_in_for_cones_solves_a_cone_and_is_compared() {
     let (_folder, cone) = file(CONE);
-    let (answer, code) = told(&["solve", &cone, "--plugin", CONES]);
+    let (answer, code) = message(&["solve", &cone, "--plugin", CONES]);
     assert_eq!(
         (&answer["solver"], &answer["model"], code),
         (&"cones".into(), &"coulomb-cone".into(), Some(0))
@@ -91,12 +91,12 @@ fn a_plug_in_for_cones_solves_a_cone_and_is_compared() {
         assert!((x - exact).abs() < 1e-9, "{answer}");
     }
     let compare = ["compare", &cone, "--solver", "cone-pgs", "--plugin", CONES];
-    let (table, code) = told(&compare);
+    let (table, code) = message(&compare);
     let rows = table["rows"].as_array().unwrap();
     let solved: Vec<_> = rows.iter().map(|row| (&row["solver"], &row["accepted"])).collect();
     assert_eq!(solved, [(&"cone-pgs".into(), &1.into()), (&"cones".into(), &1.into())]);
     assert_eq!(code, Some(0));
-    let simulated = told(&[
+    let simulated = message(&[
         "simulate",
         "sliding",
         "--steps",
@@ -125,12 +125,12 @@ fn a_plug_in_for_boxes_never_gets_a_cone_and_says_so() {
         "{}",
         err(&output)
     );
-    let (table, code) = told(&["compare", &cone, "--solver", "cone-pgs", "--plugin", SWEEPS]);
+    let (table, code) = message(&["compare", &cone, "--solver", "cone-pgs", "--plugin", SWEEPS]);
     let row = &table["rows"][1];
     assert_eq!(row["solver"], "sweeps");
     assert_eq!(row["trouble"], format!("not run: {reason}"));
     assert_eq!((&row["claimed"], &row["accepted"], code), (&0.into(), &0.into(), Some(1)));
-    let (table, code) = told(&[
+    let (table, code) = message(&[
         "compare",
         "sliding",
         "--steps",
@@ -159,7 +159,7 @@ fn a_plug_in_for_boxes_never_gets_a_cone_and_says_so() {
 fn a_solver_of_cones_is_hunted_under_its_model() {
     let model = ["--model", "coulomb-cone"];
     let search = ["hunt", "--measure", "false-claim", "--evaluations", "300"];
-    let (found, code) = told(&[&search[..], &model, &["--plugin", CONES]].concat());
+    let (found, code) = message(&[&search[..], &model, &["--plugin", CONES]].concat());
     assert_eq!((&found["found"], code), (&Value::Bool(false), Some(0)), "{found}");
     assert!(found["solved"].as_u64().unwrap() > 50, "{found}");
     let table = run(&[&["hunt", "--problems", "40", "--plugin", CONES], &model[..]].concat());
@@ -256,7 +256,7 @@ fn what_is_found_shows_the_plug_ins_own_answer_and_the_right_one() {
         "--out",
         file.to_str().unwrap(),
     ];
-    let (found, code) = told(&hunt);
+    let (found, code) = message(&hunt);
     assert_eq!((&found["found"], code), (&Value::Bool(true), Some(1)));
     let vector = |value: &Value| -> Vec<f64> {
         value.as_array().unwrap().iter().filter_map(Value::as_f64).collect()
@@ -324,7 +324,7 @@ fn the_smallest_problem_that_a_plug_in_gets_wrong_is_written_with_its_solution()
     let (plugin, file) = (format!("python3 {script}"), file.as_str());
     let hunt =
         ["hunt", "--plugin", &plugin, "--measure", "false-claim", "--n", "2..4", "--out", file];
-    let [(found, code), (again, _)] = [told(&hunt), told(&hunt)];
+    let [(found, code), (again, _)] = [message(&hunt), message(&hunt)];
     assert_eq!((&found["found"], code), (&Value::Bool(true), Some(1)));
     assert_eq!(found, again); // the same seed finds the same
     // As few rows as asked for, or one more where fewer show less than a tenth of the fault.
@@ -332,7 +332,7 @@ fn the_smallest_problem_that_a_plug_in_gets_wrong_is_written_with_its_solution()
     assert!(matches!(rows, Some(2 | 3)), "{rows:?}");
     assert_eq!(found["problem"]["expected"]["complete"], true);
     // The file shows it again.
-    assert_eq!(told(&["solve", file, "--plugin", &plugin]).1, Some(1));
+    assert_eq!(message(&["solve", file, "--plugin", &plugin]).1, Some(1));
 }
 
 #[test]
@@ -356,14 +356,14 @@ fn a_search_that_cannot_be_made_is_bad_usage() {
 
 #[test]
 fn a_command_that_is_no_plug_in_is_bad_usage() {
-    let told = |options: &[&str]| {
+    let message = |options: &[&str]| {
         let output = run(&[&["hunt", "--problems", "1"], options].concat());
         assert_eq!(output.status.code(), Some(2));
         err(&output)
     };
     let refused = "error: plug-in true: start: it ended (exit status: 0)\n";
-    assert_eq!(told(&["--plugin", "true"]), refused);
-    let zero = told(&["--plugin", "true", "--plugin-time-limit", "0"]);
+    assert_eq!(message(&["--plugin", "true"]), refused);
+    let zero = message(&["--plugin", "true", "--plugin-time-limit", "0"]);
     assert_eq!(zero, "error: plug-in true: time_limit: must be above 0, is 0\n");
 }
 
@@ -435,11 +435,11 @@ axes.solver.name = ["mine", "dantzig"]
 
 #[test]
 fn a_scene_is_stepped_by_a_plug_in_and_compared_with_another_solver() {
-    let (summary, code) = told(&["simulate", "fig7", "--steps", "1", "--plugin", SWEEPS]);
+    let (summary, code) = message(&["simulate", "fig7", "--steps", "1", "--plugin", SWEEPS]);
     assert_eq!((&summary["solver"], code), (&"sweeps".into(), Some(0)), "{summary}");
     let velocity = ["--scheme", "velocity", "--solver", "dantzig", "--plugin", SWEEPS];
-    let (told, code) = told(&[&["compare", "fig7", "--steps", "1"], &velocity[..]].concat());
-    let runs = told["comparison"]["runs"].as_array().unwrap();
+    let (message, code) = message(&[&["compare", "fig7", "--steps", "1"], &velocity[..]].concat());
+    let runs = message["comparison"]["runs"].as_array().unwrap();
     let solvers: Vec<&Value> = runs.iter().map(|run| &run["solver"]).collect();
     assert_eq!((solvers, code), (vec![&Value::from("dantzig"), &"sweeps".into()], Some(0)));
 }

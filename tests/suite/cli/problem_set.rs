@@ -70,8 +70,8 @@ fn a_solve_that_takes_too_long_is_none_and_an_unfinished_comparison_has_no_profi
     // Gauss-Seidel needs some n² = 4 million sweeps.
     let slow = ["compare", column, "--solver", "pgs", "--max-iterations", "1000000000"];
     let output = run(&[&slow[..], &["--json", "--solve-time-limit", "0.2"]].concat());
-    let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
-    let row = &told["rows"][0];
+    let message: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let row = &message["rows"][0];
     assert_eq!(row["trouble"], "no answer: no answer within its time limit of 0.2 s");
     assert_eq!((&row["claimed"], output.status.code()), (&0.into(), Some(1))); // it solved nothing
     let name = folder.path().join("profile");
@@ -91,8 +91,8 @@ fn a_file_is_solved_under_the_model_that_it_states_alone() {
     }
     let pattern = format!("{}/*.json", folder.path().display());
     let output = run(&["compare", &pattern, "--json"]);
-    let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
-    let models: HashSet<(bool, &str)> = told["rows"]
+    let message: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let models: HashSet<(bool, &str)> = message["rows"]
         .as_array()
         .unwrap()
         .iter()
@@ -111,8 +111,8 @@ fn a_file_that_denies_a_solution_is_not_believed_against_a_proof() {
         r#"{"A": {"dense": [[1]]}, "b": [-1], "expected": {"complete": true, "solutions": []}}"#;
     fs::write(&file, text).unwrap();
     let output = run(&["compare", file.to_str().unwrap(), "--solver", "pgs", "--json"]);
-    let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
-    let row = &told["rows"][0];
+    let message: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let row = &message["rows"][0];
     assert_eq!((&row["proved"], &row["false_claims"]), (&1.into(), &0.into()), "{row}");
     assert_eq!(output.status.code(), Some(0));
 }

@@ -229,7 +229,7 @@ fn more_solutions_than_can_be_listed_are_refused_in_one_line() {
     let (_folder, problem, _) = folder(&text);
     let refused = lcplab("prove", &[&problem], &["--all"]);
     assert_eq!(refused.status.code(), Some(2), "{}", err(&refused));
-    let told = "has more than 1,024 solutions, too many to list";
-    assert!(err(&refused).trim_end().ends_with(told), "{}", err(&refused));
+    let reported = "has more than 1,024 solutions, too many to list";
+    assert!(err(&refused).trim_end().ends_with(reported), "{}", err(&refused));
     assert_eq!(err(&refused).lines().count(), 1, "{}", err(&refused));
 }

@@ -85,11 +85,11 @@ fn an_interrupted_report_repeats_the_tasks_edited_since() {
         fs::write(page.join("results.json"), results.to_string()).unwrap();
         let output = run(&names);
         let path = page.join("results.json");
-        let told = format!(
+        let reported = format!(
             "warning: {}: section cross-check was edited: lcplab computes it again\n",
             path.display()
         );
-        assert_eq!((output.status.code(), err(&output)), (Some(0), told));
+        assert_eq!((output.status.code(), err(&output)), (Some(0), reported));
         assert_eq!(read(&page)["sections"], whole["sections"]);
     }
 }
@@ -144,8 +144,9 @@ fn problem_files_make_a_report_of_who_solves_them_and_a_page_of_what_is_missing(
     let set = ["--set", "generate.count=3"];
     for step in ["1", "2"] {
         let file = at(&format!("step-{step}.json"));
-        let told = run(&[&["export", "stack", "--step", step, "--out", &file][..], &set].concat());
-        assert_eq!(told.status.code(), Some(0));
+        let reported =
+            run(&[&["export", "stack", "--step", step, "--out", &file][..], &set].concat());
+        assert_eq!(reported.status.code(), Some(0));
     }
     let files = at("step-*.json");
     let text = format!(
@@ -193,15 +194,15 @@ fn a_figure_alone_is_that_of_the_page() {
     for (ending, source) in [("svg", results.as_str()), ("csv", file)] {
         let alone = folder.path().join(format!("alone.{ending}"));
         let out = ["--figure", "ratio_error", "--out", alone.to_str().unwrap()];
-        let told = run(&[&["report", source][..], &out].concat());
-        assert_eq!(told.status.code(), Some(0), "{}", err(&told));
+        let reported = run(&[&["report", source][..], &out].concat());
+        assert_eq!(reported.status.code(), Some(0), "{}", err(&reported));
         let beside = Path::new(page).join(format!("data/ratio_error.{ending}"));
         assert_eq!(fs::read(&alone).unwrap(), fs::read(beside).unwrap());
     }
     let refused = |figure: &str, out: &str| {
-        let told = run(&["report", &results, "--figure", figure, "--out", out]);
-        assert_eq!(told.status.code(), Some(2));
-        err(&told)
+        let reported = run(&["report", &results, "--figure", figure, "--out", out]);
+        assert_eq!(reported.status.code(), Some(2));
+        err(&reported)
     };
     assert!(refused("nothing", "a.svg").contains("named \"nothing\"; there are ratio_error"));
     assert!(refused("ratio_error", "a.png").contains("must end in .svg, .pdf or .csv"));

@@ -32,7 +32,7 @@ fn simulate_records_every_step_and_body() {
     let output = run(&["simulate", "pendulum", "--steps", "7", "--out", path, "--json"]);
     assert_eq!(output.status.code(), Some(0));
     let summary: Value = serde_json::from_str(&out(&output)).unwrap();
-    assert_eq!((&summary["steps"], &summary["refuted_claims"]), (&7.into(), &0.into()));
+    assert_eq!((&summary["steps"], &summary["rejected_claims"]), (&7.into(), &0.into()));
     let lines =
         |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap().lines().count();
     assert_eq!((lines("ledger.csv"), lines("trajectory.csv")), (9, 9)); // heading, start, 7 steps
@@ -323,11 +323,11 @@ fn the_angular_momentum_that_xpbd_makes_in_an_off_center_impact_is_named_with_it
     let note = format!("the total angular momentum changed by {made:.1e} N m s");
     let path = path.to_str().unwrap();
     for scheme in lcplab::scene::Scheme::ALL {
-        let told = out(&run(&["simulate", path, "--scheme", scheme.name()]));
+        let reported = out(&run(&["simulate", path, "--scheme", scheme.name()]));
         let is_named =
-            told.contains(&note) && told.contains("the scheme xpbd does not conserve it");
-        assert_eq!(is_named, scheme.name() == "xpbd", "{made}: {told}");
-        assert_eq!(told.contains("angular momentum"), is_named, "{told}");
+            reported.contains(&note) && reported.contains("the scheme xpbd does not conserve it");
+        assert_eq!(is_named, scheme.name() == "xpbd", "{made}: {reported}");
+        assert_eq!(reported.contains("angular momentum"), is_named, "{reported}");
     }
 }
 
@@ -341,29 +341,29 @@ fn a_mechanism_that_a_motor_tears_apart_names_its_row_and_a_remedy_that_helps() 
         speed = 2\neffort = 1e6\n";
     std::fs::write(&path, out(&run(&["scenes", "bricard"])) + motor).unwrap();
     let simulated = |more: &[&str]| {
-        let told = run(&[&["simulate", path.to_str().unwrap()], more].concat());
-        (told.status.code(), out(&told))
+        let reported = run(&[&["simulate", path.to_str().unwrap()], more].concat());
+        (reported.status.code(), out(&reported))
     };
     let level = ["--scheme", "acceleration", "--steps", "20"];
-    let (code, told) = simulated(&level);
-    assert_eq!(code, Some(1), "{told}");
+    let (code, reported) = simulated(&level);
+    assert_eq!(code, Some(1), "{reported}");
     assert!(
-        told.contains("\"rod 1\" diverged; the row with the largest impulse on it is"),
-        "{told}"
+        reported.contains("\"rod 1\" diverged; the row with the largest impulse on it is"),
+        "{reported}"
     );
     assert!(
-        told.contains("the motion diverged: try a shorter step or the scheme velocity"),
-        "{told}"
+        reported.contains("the motion diverged: try a shorter step or the scheme velocity"),
+        "{reported}"
     );
-    assert!(!told.contains("set step.alpha"), "{told}");
+    assert!(!reported.contains("set step.alpha"), "{reported}");
     let with_alpha = simulated(&[&level[..], &["--set", "step.alpha=20"]].concat());
     assert_eq!(with_alpha.0, Some(1), "{}", with_alpha.1);
     for remedy in [
         &["--scheme", "acceleration", "--dt", "0.001", "--set", "step.alpha=20"][..],
         &["--scheme", "velocity"],
     ] {
-        let (code, told) = simulated(&[remedy, &["--steps", "200"]].concat());
-        assert_eq!(code, Some(0), "{told}");
+        let (code, reported) = simulated(&[remedy, &["--steps", "200"]].concat());
+        assert_eq!(code, Some(0), "{reported}");
     }
 }
 
@@ -377,8 +377,11 @@ fn simulate_compare_and_diagnose_name_an_impact_that_lost_its_bounce() {
                 velocity = [-0.9, 0, 0]\n";
     std::fs::write(&path, text).unwrap();
     for command in ["simulate", "compare", "diagnose"] {
-        let told = out(&run(&[command, path.to_str().unwrap()]));
-        let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(told.contains("restitution 0.8 was not applied to an impact"), "{command}: {told}");
+        let reported = out(&run(&[command, path.to_str().unwrap()]));
+        let reported = reported.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            reported.contains("restitution 0.8 was not applied to an impact"),
+            "{command}: {reported}"
+        );
     }
 }

@@ -73,8 +73,8 @@ fn end(child: Child, (signal, number): (&str, u32), is_so: impl Fn() -> bool) ->
 
 #[track_caller]
 fn assert_interrupted(output: &Output) {
-    let told = "stopping; press Ctrl-C again to end at once\nerror: interrupted\n";
-    assert_eq!((output.status.code(), err(output).as_str()), (Some(130), told));
+    let reported = "stopping; press Ctrl-C again to end at once\nerror: interrupted\n";
+    assert_eq!((output.status.code(), err(output).as_str()), (Some(130), reported));
 }
 
 /// No file is left under its temporary name.

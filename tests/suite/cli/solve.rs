@@ -176,14 +176,14 @@ fn many_answers_and_their_iterates_have_a_row_each() {
     let near = write("near.json", r#"{"x": [0.5000001]}"#);
     let judge = |arguments: &[&str]| run(&[&["judge", &problem], arguments].concat());
     let output = judge(&[&path, &wrong, "--json"]);
-    let told: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
-    let word = |k: usize| told["answers"][k]["verdict"].as_str().unwrap().to_string();
+    let reported: serde_json::Value = serde_json::from_str(&out(&output)).unwrap();
+    let word = |k: usize| reported["answers"][k]["verdict"].as_str().unwrap().to_string();
     // |2 x - 1| beside 2 x + 1: 1/3 and 1/5 of the terms, then nothing.
     assert_eq!(
         (0..4).map(word).collect::<Vec<_>>(),
         ["not_a_solution", "not_a_solution", "proved", "not_a_solution"]
     );
-    assert_eq!(told["answers"][1]["amount"], 0.2);
+    assert_eq!(reported["answers"][1]["amount"], 0.2);
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(judge(&[&path]).status.code(), Some(0)); // iterates aside
     let [loose, strict] =

@@ -11,8 +11,8 @@ use super::{GOOD, err, out, run, run_with};
 /// Invalid input or a file that cannot be read or written: one line on standard error alone.
 #[track_caller]
 fn assert_refused(output: &Output, message: &str) {
-    let told = format!("error: {message}\n");
-    assert_eq!((output.status.code(), err(output)), (Some(2), told));
+    let reported = format!("error: {message}\n");
+    assert_eq!((output.status.code(), err(output)), (Some(2), reported));
 }
 
 fn sh(line: &str) -> Output {
@@ -73,10 +73,10 @@ fn a_folder_that_cannot_be_written_is_refused_before_the_work() {
         ] {
             let output = run(&[command, &["--time-limit", "60", "--out", folder]].concat());
             assert_eq!(output.status.code(), Some(2), "{command:?}: {}", err(&output));
-            let told = err(&output);
-            assert!(told.starts_with(&format!("error: {folder}")), "{told}");
-            assert!(told.ends_with(&format!(": {reason}\n")), "{told}");
-            assert_eq!((told.lines().count(), out(&output)), (1, String::new()), "{told}");
+            let reported = err(&output);
+            assert!(reported.starts_with(&format!("error: {folder}")), "{reported}");
+            assert!(reported.ends_with(&format!(": {reason}\n")), "{reported}");
+            assert_eq!((reported.lines().count(), out(&output)), (1, String::new()), "{reported}");
         }
     }
 }
@@ -114,8 +114,8 @@ fn a_pipe_with_a_name_is_read_like_a_file() {
     assert!(out(&written).starts_with('{') && written.status.success(), "{}", err(&written));
     // Nothing writes to the pipe: the endless wait ends at the time limit.
     let waiting = run(&["solve", pipe.to_str().unwrap(), "--time-limit", "0.2"]);
-    let told = "error: stopped by the time limit of 0.2 s; unfinished work is lost\n";
-    assert_eq!((waiting.status.code(), err(&waiting).as_str()), (Some(1), told));
+    let reported = "error: stopped by the time limit of 0.2 s; unfinished work is lost\n";
+    assert_eq!((waiting.status.code(), err(&waiting).as_str()), (Some(1), reported));
 }
 
 #[test]
@@ -134,15 +134,15 @@ fn a_folder_is_no_file_and_says_so() {
         (&["report"], "report file or shipped report"),
     ] {
         let refused = run(&[command, &[path]].concat());
-        let told = format!("error: there is no {what} named {path:?}; there are ");
+        let reported = format!("error: there is no {what} named {path:?}; there are ");
         assert_eq!(refused.status.code(), Some(2));
-        assert!(err(&refused).starts_with(&told), "{}", err(&refused));
+        assert!(err(&refused).starts_with(&reported), "{}", err(&refused));
     }
     // Its name, if it is that of a shipped report, means the report.
     fs::create_dir(folder.path().join("friction")).unwrap();
     let inside = format!("cd {path} && lcplab report friction --section no_such_section");
-    let told = err(&sh(&inside));
-    assert!(told.contains("no section named"), "{told}");
+    let reported = err(&sh(&inside));
+    assert!(reported.contains("no section named"), "{reported}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::{err, out, run};
 
-/// x = b/2, row by row, of diagonal problems; what else it does is told by the settings: a wrong
+/// x = b/2, row by row, of diagonal problems; what else it does is set by the settings: a wrong
 /// answer, a crash, many iterations, a residual of 1e-9.
 const SOLVER: &str = r#"
 import json, os, sys

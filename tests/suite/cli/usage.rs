@@ -57,9 +57,9 @@ fn an_old_word_is_an_error_that_names_the_new_one() {
         (&["report", "dumps", "--sweeps", "10"], "lcplab diagnose FOLDER --sweeps N"),
     ] {
         let output = run(old);
-        let told = err(&output);
-        assert_eq!((output.status.code(), told.lines().count()), (Some(2), 1), "{told}");
-        assert!(told.ends_with(&format!(" was replaced; use {new}\n")), "{told}");
+        let reported = err(&output);
+        assert_eq!((output.status.code(), reported.lines().count()), (Some(2), 1), "{reported}");
+        assert!(reported.ends_with(&format!(" was replaced; use {new}\n")), "{reported}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! Every variant of every kind of trouble is produced by the library, and told in the right words.
+//! Every variant of every kind of trouble is produced by the library, with the right message.
 //!
 //! The matches are exhaustive: a variant that is added does not compile without a case here. A type
 //! that may grow cannot be matched so in another crate; its variants are read from its source.

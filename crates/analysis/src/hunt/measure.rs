@@ -411,7 +411,7 @@ impl Target {
 /// The amount by which a claim is false, and whether it is.
 fn false_claim(posed: &ProblemForm, claim: &Claim, solution: &Solution) -> (f64, bool) {
     match claim {
-        Claim::FalseClaim(FalseClaim::Refuted { amount, .. }) => (*amount, true),
+        Claim::FalseClaim(FalseClaim::Rejected { amount, .. }) => (*amount, true),
         Claim::FalseClaim(_) => (1.0, true),
         // Nearly rejected answers score by their residual, which gives the search a direction.
         Claim::Proved | Claim::Within => (sweeps::residual(posed, &solution.x), false),

@@ -43,7 +43,7 @@ pub enum Claim {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FalseClaim {
     /// *Solved*, but row `row` has the relative residual `amount`.
-    Refuted {
+    Rejected {
         /// The worst row.
         row: usize,
         /// Its scaled residual.
@@ -64,7 +64,7 @@ pub enum FalseClaim {
 impl std::fmt::Display for FalseClaim {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            FalseClaim::Refuted { row, amount } => {
+            FalseClaim::Rejected { row, amount } => {
                 write!(
                     f,
                     "solved, but the scaled residual is {} in row {row}",
@@ -114,7 +114,7 @@ impl Claim {
     /// in the same number of sweeps either.
     pub(crate) fn under(posed: &ProblemForm, solution: &Solution, tolerance: f64) -> Claim {
         match Claim::stated(posed, solution, tolerance) {
-            Claim::FalseClaim(FalseClaim::Refuted { amount, .. })
+            Claim::FalseClaim(FalseClaim::Rejected { amount, .. })
                 if solution.is_claim_implied
                     && amount <= residual_left(posed, solution, tolerance) =>
             {
@@ -160,7 +160,7 @@ impl Claim {
                 Claim::FalseClaim(FalseClaim::Worthless)
             }
             Verdict::NotASolution { row, amount, why: Refusal::Residual { .. } } => {
-                Claim::FalseClaim(FalseClaim::Refuted { row, amount })
+                Claim::FalseClaim(FalseClaim::Rejected { row, amount })
             }
             // A verdict of a later judge neither confirms nor refutes the claim.
             _ => Claim::Unsolved,

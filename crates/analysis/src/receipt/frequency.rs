@@ -1,6 +1,6 @@
 //! Whether something is more frequent in one sample than in another: Fisher's exact test.
 
-/// The largest probability with which samples of one population are told apart by mistake.
+/// The largest probability of taking samples of one population for samples of two.
 pub(crate) const CHANCE: f64 = 0.005;
 
 /// A number of frames, and of those among them with some property.

@@ -49,7 +49,7 @@ fn a_wrong_answer_called_solved_is_noticed() {
     let lcp = boxed(&[&[2.0]], &[-6.0], &[0.0], &[INF]); // x = 3
     assert_eq!(said(&lcp, Status::Solved, 3.0), Claim::Proved);
     assert_eq!(said(&lcp, Status::Solved, 3.0 + 3e-9), Claim::Proved); // the active set is right
-    let lie = FalseClaim::Refuted { row: 0, amount: 0.5 }; // |x − 0|·2 over 2 + 6 … of 1: (6 − 2)/8
+    let lie = FalseClaim::Rejected { row: 0, amount: 0.5 }; // |x − 0|·2 over 2 + 6 … of 1: (6 − 2)/8
     assert_eq!(said(&lcp, Status::Solved, 1.0), Claim::FalseClaim(lie));
     assert_eq!(said(&lcp, Status::Solved, f64::NAN), Claim::FalseClaim(FalseClaim::NotFinite));
     assert_eq!(said(&lcp, Status::Inaccurate, 1.0), Claim::Unsolved);
@@ -97,8 +97,8 @@ fn a_bound_that_is_missed_is_seen_beside_terms_of_any_size() {
     let lcp = boxed(&[&[a, e], &[e, 0.0]], &[0.0, 3.0], &[0.0, -2.0], &[INF; 2]);
     assert_eq!(all_solutions(&lcp).unwrap().len(), 0);
     assert_eq!(said(&lcp, Status::NoSolution, 0.0), Claim::Impossible);
-    let refuted = FalseClaim::Refuted { row: 1, amount: 1.0 };
-    assert_eq!(said(&lcp, Status::Solved, 0.0), Claim::FalseClaim(refuted));
+    let rejected = FalseClaim::Rejected { row: 1, amount: 1.0 };
+    assert_eq!(said(&lcp, Status::Solved, 0.0), Claim::FalseClaim(rejected));
 }
 
 #[test]

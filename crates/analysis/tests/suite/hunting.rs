@@ -142,9 +142,9 @@ fn a_planted_bug_is_found_with_its_own_answer_and_the_right_one() {
             let size = right.iter().fold(1e-300, |most: f64, x| most.max(x.abs()));
             assert!(apart > 1e-3 * size, "{bug:?}: {own:?} {right:?}");
             assert_eq!(lcp.contacts().len(), 1, "{bug:?}: {lcp:?}");
-            let told = &finding.problem.to_json()["hunt"];
-            assert_eq!(told["solver"], "engine");
-            assert_eq!(told["x"].as_array().unwrap().len(), lcp.len());
+            let output = &finding.problem.to_json()["hunt"];
+            assert_eq!(output["solver"], "engine");
+            assert_eq!(output["x"].as_array().unwrap().len(), lcp.len());
             assert!(finding.answers().contains("x of engine"), "{}", finding.answers());
             assert!(
                 finding.test.starts_with("lcplab solve PROBLEM") && !finding.test.ends_with('\n')
@@ -389,8 +389,8 @@ fn a_solver_that_crashes_is_no_honest_one() {
     let target = target(method("crashes", || Box::new(Crashes)), MatrixClass::Definite, false);
     let found = result(&target, 1, 60);
     assert!(found.counterexample.is_none() && found.unanswered > 0, "{found:?}");
-    let told = found.useless("crashes").unwrap();
-    assert!(told.contains("IndexError"), "{told}");
+    let output = found.useless("crashes").unwrap();
+    assert!(output.contains("IndexError"), "{output}");
 }
 
 #[test]

@@ -379,6 +379,34 @@ fn a_solution_printed_with_few_digits_is_no_mistake() {
     }
 }
 
+/// A contact with μ = ½ that slides in its first direction: x₁ = x₀ / 2, so 1.1 x₀ = 1.
+fn pushed_contact() -> Lcp {
+    let lcp = boxed(
+        &[&[1.0, 0.2, 0.0], &[0.2, 2.0, 0.0], &[0.0, 0.0, 2.0]],
+        &[-1.0, -3.0, -0.5],
+        &[0.0, f64::NEG_INFINITY, f64::NEG_INFINITY],
+        &[f64::INFINITY; 3],
+    );
+    lcp.with_coupling(Coupling::new(vec![None, Some(0), Some(0)], vec![0.0, 0.5, 0.5]).unwrap())
+        .unwrap()
+}
+
+/// Without friction x = (1, 0, 0), which is also (0.91, 0.45, 0.25) without any decimals.
+#[test]
+fn an_answer_of_whole_numbers_is_not_taken_for_a_rounded_solution() {
+    let found = mistakes(&pushed_contact(), &[1.0, 0.0, 0.0]);
+    assert!(found.iter().any(|own| own.kind == MistakeKind::FrictionLeftOut), "{found:?}");
+}
+
+#[test]
+fn the_same_mistake_is_named_once() {
+    // Friction without a limit, found by sweeps and by a pivoting solver.
+    let found = mistakes(&pushed_contact(), &[1.0 / 1.4, 2.0 / 1.4, 0.25]);
+    let named: Vec<&str> = found.iter().map(|own| own.what.as_str()).collect();
+    let is_once = |what: &&str| named.iter().filter(|other| other == &what).count() == 1;
+    assert!(named.len() > 1 && named.iter().all(is_once), "{named:#?}");
+}
+
 #[test]
 fn of_many_solutions_the_one_beside_x_is_compared() {
     // Two copies of a contact: every x₀ + x₁ = 1 solves it. Sweeps end at (1, 0).

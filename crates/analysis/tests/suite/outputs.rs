@@ -88,7 +88,7 @@ fn answer(lcp: &Lcp, entry: &Entry) -> (String, Option<Claim>) {
     let word = match &verdict {
         Verdict::Proved { .. } => "proved",
         Verdict::WithinTolerance => "within tolerance",
-        _ => panic!("{} claims what is refuted: {verdict}", entry.name),
+        _ => panic!("{} claims what is rejected: {verdict}", entry.name),
     };
     let w = lcp.w(&solution.x);
     (line(word), Some(Claim { x: solution.x, w }))

@@ -25,7 +25,7 @@ fn what_the_judge_proves_or_refutes_has_a_proof_that_others_accept() {
     let folder = tempfile::tempdir().unwrap();
     let write =
         |name: String, text: String| std::fs::write(folder.path().join(name), text).unwrap();
-    let (mut proved, mut refuted, mut written) = (0, 0, 0);
+    let (mut proved, mut rejected, mut written) = (0, 0, 0);
     for k in 0..PROBLEMS {
         let lcp = problem(22, k).0;
         let subject = Problem::new(format!("hunted {k}"), lcp.clone());
@@ -50,7 +50,7 @@ fn what_the_judge_proves_or_refutes_has_a_proof_that_others_accept() {
                 }
                 Some(Evidence::NoSolution(_)) => {
                     assert_eq!(kind, Some(Kind::NoSolution), "{text}");
-                    refuted += 1;
+                    rejected += 1;
                 }
                 None => {}
             }
@@ -63,7 +63,7 @@ fn what_the_judge_proves_or_refutes_has_a_proof_that_others_accept() {
             }
         }
     }
-    assert!(proved > PROBLEMS / 4 && refuted > 0, "{proved} {refuted}");
+    assert!(proved > PROBLEMS / 4 && rejected > 0, "{proved} {rejected}");
     let checker = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../proofs/lcpcheck.py");
     let output = Command::new("python3").arg(checker).arg(folder.path()).output().unwrap();
     let printed = String::from_utf8(output.stdout).unwrap();

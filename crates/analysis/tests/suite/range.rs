@@ -151,7 +151,7 @@ fn block_pivoting_is_backward_stable() {
 
 #[test]
 fn newton_is_backward_stable() {
-    is_backward_stable("newton", 1e-14, SMALL); // it ends where it is told to
+    is_backward_stable("newton", 1e-14, SMALL); // it ends at the given limit
 }
 
 #[test]

@@ -199,7 +199,7 @@ fn a_solver_that_gives_up_is_the_first_cause() {
     let solvers = with(Entry::new("gives-up", |_| Box::new(GivesUp)));
     let found = pushed(2, "gives-up", 50, solvers);
     assert_eq!(found.causes().first(), Some(&"the solver gave up"), "{:?}", found.causes());
-    let told = found.gave_up.as_ref().unwrap();
-    assert!(told.starts_with("in step 1: ended on a ray"), "{told}");
-    assert_eq!(found.to_json()["gave_up"], told.as_str());
+    let output = found.gave_up.as_ref().unwrap();
+    assert!(output.starts_with("in step 1: ended on a ray"), "{output}");
+    assert_eq!(found.to_json()["gave_up"], output.as_str());
 }

@@ -323,9 +323,9 @@ fn a_long_chain_is_described_by_its_whole_length() {
         let mut scene = Scene::from_toml("chain.toml", &text).unwrap();
         (scene.solver.name, scene.solver.max_iterations) = ("pgs".into(), 5);
         let found = examine_scene(&scene, None).unwrap();
-        let told: String =
+        let output: String =
             found.unsupported.unwrap().causes.iter().map(ToString::to_string).collect();
-        assert!(told.contains(&format!("through {links} bodies")), "{told}");
+        assert!(output.contains(&format!("through {links} bodies")), "{output}");
     }
 }
 
@@ -549,9 +549,12 @@ fn joints_that_come_apart_in_steps_that_are_too_long_are_named() {
         scene.step.dt = dt;
         examine_scene(&scene, None).unwrap().warnings
     };
-    let told = warnings(0.01).concat();
+    let output = warnings(0.01).concat();
     // √1.36 − 1 = 0.166
-    assert!(told.starts_with("joints came apart by up to 0.166 m, 17 % of the scene"), "{told}");
+    assert!(
+        output.starts_with("joints came apart by up to 0.166 m, 17 % of the scene"),
+        "{output}"
+    );
     assert!(warnings(0.001).is_empty());
 }
 
@@ -567,9 +570,12 @@ fn a_bounce_without_a_solution_is_the_first_cause_and_its_rows_are_named() {
         shape = { sphere = 0.1 }\nposition = [0.105, 0, 0]\nvelocity = [4, 0, 0]\n";
     let found = examine_scene(&Scene::from_toml("slit.toml", text).unwrap(), None).unwrap();
     assert_eq!(found.causes().first(), Some(&"the solver gave up"), "{}", found.headline());
-    let told = found.gave_up.unwrap();
-    assert!(told.starts_with("in step 1, no impulses or forces satisfy these rows"), "{told}");
-    assert!(told.contains("normal left ball") && told.contains("normal right ball"), "{told}");
+    let output = found.gave_up.unwrap();
+    assert!(output.starts_with("in step 1, no impulses or forces satisfy these rows"), "{output}");
+    assert!(
+        output.contains("normal left ball") && output.contains("normal right ball"),
+        "{output}"
+    );
 }
 
 #[test]

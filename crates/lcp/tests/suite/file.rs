@@ -241,14 +241,14 @@ fn a_key_given_twice_is_refused_wherever_it_stands() {
         (r#"{"A": {"dense": [[1]]}, "b": [1], "expected": {"x": [0], "x": [1]}}"#, "x"),
         (r#"{"A": {"dense": [[1]]}, "b": [1], "lo": [0], "\u006co": [-1]}"#, "lo"),
     ] {
-        let told = message(text);
-        assert!(told.contains(&format!(": the key {key:?} is given twice")), "{told}");
+        let output = message(text);
+        assert!(output.contains(&format!(": the key {key:?} is given twice")), "{output}");
     }
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("x.json");
     std::fs::write(&path, r#"{"x": [0, 0], "x": [1, 1]}"#).unwrap();
-    let told = read_answer(&path, 2, Memory::default()).unwrap_err().to_string();
-    assert!(told.ends_with("the key \"x\" is given twice"), "{told}");
+    let output = read_answer(&path, 2, Memory::default()).unwrap_err().to_string();
+    assert!(output.ends_with("the key \"x\" is given twice"), "{output}");
 }
 
 #[test]

@@ -11,16 +11,16 @@ use nalgebra::UnitQuaternion;
 use crate::body::{Pose, State};
 use crate::scene::Scene;
 
-/// A path is looked at no more often than this.
-const MOST_LOOKS: usize = 256;
+/// The maximum number of samples of a path.
+const MOST_SAMPLES: usize = 256;
 
-/// How often to look at a path so that no body moves by more than half of the thinnest one in
+/// How many samples a path needs so that no body moves by more than half of the thinnest one in
 /// between.
-pub(super) fn looks(scene: &Scene, before: &[State], after: &[State]) -> usize {
+pub(super) fn samples(scene: &Scene, before: &[State], after: &[State]) -> usize {
     let way = |(a, b): (&State, &State)| (b.pose.p - a.pose.p).norm();
     let longest = before.iter().zip(after).map(way).fold(0.0, f64::max);
     let stride = scene.thinnest().map_or(f64::INFINITY, |thickness| 0.5 * thickness);
-    ((longest / stride).ceil() as usize).clamp(1, MOST_LOOKS)
+    ((longest / stride).ceil() as usize).clamp(1, MOST_SAMPLES)
 }
 
 /// The state at a part of the way between two, h (s) apart; the velocity is the earlier one.

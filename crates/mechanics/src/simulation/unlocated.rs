@@ -81,7 +81,7 @@ fn bounces(scene: &Scene, contact: &Contact) -> bool {
 }
 
 /// By how much the bounce of a contact would differ where the bodies meet (m/s), if that is worth
-/// reporting. Both are looked at alone, so that the cost does not grow with the scene.
+/// reporting. Both are solved alone, so that the cost does not grow with the scene.
 fn off_by(scene: &Scene, before: &[State], row: &Row) -> Option<f64> {
     let here = kick(scene, before, row);
     let pair = alone(scene, before, row)?;

@@ -9,15 +9,15 @@ const remembered = (use) => { try { return use(localStorage); } catch { return n
   if (kept) root.dataset.theme = kept;
   const button = document.querySelector(".theme"), prefers = matchMedia("(prefers-color-scheme: dark)");
   const dark = () => (root.dataset.theme ?? (prefers.matches ? "dark" : "light")) === "dark";
-  const told = () => button.setAttribute("aria-pressed", dark());
+  const announce = () => button.setAttribute("aria-pressed", dark());
   button.addEventListener("click", () => {
     root.dataset.theme = dark() ? "light" : "dark";
     remembered((store) => store.setItem("lcplab-theme", root.dataset.theme));
-    told();
+    announce();
   });
-  prefers.addEventListener("change", told);
+  prefers.addEventListener("change", announce);
   button.hidden = false;
-  told();
+  announce();
 }
 
 { // Beside the text if there is room, else folded; the section being read is marked.

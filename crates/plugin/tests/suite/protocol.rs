@@ -29,12 +29,12 @@ fn a_plug_in_that_names_a_cone_gets_its_model_and_its_contacts() {
     let problem = ConeProblem::new(pushed_mass(2.0, 3.0, 30.0), Law::Coulomb);
     let solution = entry.build(&Settings::default()).solve(&problem, &Start::default(), &mut ());
     assert_eq!((solution.x, solution.status), (vec![1.0, 0.0, 0.0], Status::Solved));
-    let told = std::fs::read_to_string(script.path("says_cones.py.json")).unwrap();
-    let told: Value = serde_json::from_str(&told).unwrap();
-    assert_eq!(told["model"], "coulomb-cone");
-    assert_eq!(told["friction_index"], serde_json::json!([-1, 0, 0]));
-    assert_eq!(told["mu"], serde_json::json!([0.0, 0.5, 0.5]));
-    assert_eq!(told["lo"], serde_json::json!([0.0, "-inf", "-inf"]));
+    let output = std::fs::read_to_string(script.path("says_cones.py.json")).unwrap();
+    let output: Value = serde_json::from_str(&output).unwrap();
+    assert_eq!(output["model"], "coulomb-cone");
+    assert_eq!(output["friction_index"], serde_json::json!([-1, 0, 0]));
+    assert_eq!(output["mu"], serde_json::json!([0.0, 0.5, 0.5]));
+    assert_eq!(output["lo"], serde_json::json!([0.0, "-inf", "-inf"]));
 }
 
 #[test]
@@ -52,8 +52,8 @@ fn coupled_rows_come_with_the_model_that_bounds_them() {
     let script = naming("coupled", "[]");
     let plugin = script.start(LONG);
     solve(&plugin, &pushed_mass(2.0, 3.0, 30.0).coupled_box());
-    let told = std::fs::read_to_string(script.path("coupled.py.json")).unwrap();
-    assert_eq!(serde_json::from_str::<Value>(&told).unwrap()["model"], "coupled-box");
+    let output = std::fs::read_to_string(script.path("coupled.py.json")).unwrap();
+    assert_eq!(serde_json::from_str::<Value>(&output).unwrap()["model"], "coupled-box");
 }
 
 #[test]
@@ -96,9 +96,9 @@ fn a_plug_in_receives_the_problem_and_the_demands() {
     let solver = entry(&plugin).build(&Options::default().with_settings(settings));
     let solution = solver.solve(&pushed(), &Start::at(&[1.0, 2.0]), &mut ());
     assert_eq!((solution.x, solution.status), (vec![0.5, 0.0], Status::Solved));
-    let told = std::fs::read_to_string(script.path("echo.py.json")).unwrap();
+    let output = std::fs::read_to_string(script.path("echo.py.json")).unwrap();
     assert_eq!(
-        told.trim(),
+        output.trim(),
         "{\"A\":{\"dense\":[[2.0,-1.0],[-1.0,2.0]]},\"b\":[-1.0,2.0],\"lo\":[0.0,0.0],\"hi\":[\"inf\",\"inf\"],\
          \"tolerance\":1e-9,\"max_iterations\":50,\"time_limit\":7.0,\"start\":[1.0,2.0]}"
     );

@@ -9,7 +9,7 @@ use oorandom::Rand64;
 use super::checkers::{Pair, others, own};
 use super::{problem, question, whole, with_bodies};
 
-/// So many by `cargo test`; the variable LCPLAB_MUTANTS asks for another number.
+/// The number of mutants under `cargo test`; the variable LCPLAB_MUTANTS sets another one.
 const MUTANTS: usize = 500;
 
 /// Something else in a text from a place on: a digit, a sign, a letter, a swapped word, an end that
@@ -94,7 +94,7 @@ fn all_checkers_say_the_same_of_every_mutant() {
                     let problem = Problem::parse(text, "problem.json").ok()?;
                     Some(hash(&Question::new(&problem, None, "problem.json").ok()?))
                 };
-                // With the hash of what it became, so that the rest of the proof is looked at too.
+                // With the hash of what it became, so that the rest of the proof is checked too.
                 let text = match hash_of(&other) {
                     Some(hash_of_other) => text.replace(&hash(&question(&subject)), &hash_of_other),
                     None => text,

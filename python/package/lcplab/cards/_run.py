@@ -109,7 +109,7 @@ def run(engine: str, settings: str, phenomenon: str) -> Column:
             for fraction in wanted.steps
         ]
         if wanted.needs_forces and runs[0].forces is None:
-            raise Unsupported("forces are not told")
+            raise Unsupported("forces are not reported")
     except Unsupported as why:
         return Column(engine, settings, unsupported=str(why))
     except Exception as why:  # an engine may fail in any way of its own; the others go on

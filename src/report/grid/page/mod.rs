@@ -74,12 +74,12 @@ fn tiles(plan: &Plan, collection: &Collection) -> Vec<Tile> {
     let theory = (!claims.is_empty())
         .then(|| tile(held, claims.len(), "numbers agree with the closed form"));
     let measured = collection.done.len() - collection.impossible();
-    let refuted = collection.refuted();
+    let rejected = collection.rejected();
     let judged = Tile {
-        value: count(refuted),
+        value: count(rejected),
         label: "false claims of solvers, according to the judge".into(),
         section: RESULTS.into(),
-        good: refuted == 0,
+        good: rejected == 0,
     };
     [tile(measured, plan.tasks.len(), "points of the grid measured")]
         .into_iter()

@@ -123,7 +123,7 @@ pub(super) fn results(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> Table {
             row.extend(has_theory.then(|| by_theory(point, measure)));
         }
         let [status, verdict, reason] = point.words();
-        let mark = if point.get("refuted") > Some(0.0) { Mark::Bad } else { Mark::Plain };
+        let mark = if point.get("rejected") > Some(0.0) { Mark::Bad } else { Mark::Plain };
         row.extend([
             Cell::text(status),
             Cell::text(verdict.replace('_', " ")).marked(mark),

@@ -34,10 +34,10 @@ impl View for Plan {
             runs().map(|run| run.tally.solves).sum::<usize>(),
             runs().map(|run| run.tally.claimed).sum::<usize>(),
         );
-        let refuted = runs().map(|run| run.tally.refuted_claims).sum::<usize>();
+        let rejected = runs().map(|run| run.tally.rejected_claims).sum::<usize>();
         document.text(format!(
             "Each solver of the comparison simulates each scene with {}. Every solve starts from the answer of the previous \
-             step. The solvers report {} of {} problems as solved; the judge rejects {refuted} of these answers.",
+             step. The solvers report {} of {} problems as solved; the judge rejects {rejected} of these answers.",
             listed(&self.schemes.iter().map(|&scheme| in_words(scheme)).collect::<Vec<_>>()),
             count(claimed),
             count(solves)
@@ -70,7 +70,7 @@ impl View for Plan {
             findings.iter().flat_map(|comparison| &comparison.runs).map(count).sum()
         };
         let claimed = sum(|run| run.tally.claimed);
-        let confirmed = claimed - sum(|run| run.tally.refuted_claims);
+        let confirmed = claimed - sum(|run| run.tally.rejected_claims);
         let value = format!("{} of {}", count(confirmed), count(claimed));
         let mut label = "answers accepted by an independent judge".to_string();
         let given_up = sum(|run| run.tally.solves) - claimed;
@@ -84,14 +84,14 @@ impl View for Plan {
         let sum = |of: fn(&Run) -> usize| -> usize {
             findings.iter().flat_map(|comparison| &comparison.runs).map(of).sum()
         };
-        let refuted = sum(|run| run.tally.refuted_claims);
+        let rejected = sum(|run| run.tally.rejected_claims);
         let says = format!(
-            "{} problems: {} reported as solved, {} answers accepted by the judge, {refuted} false claims",
+            "{} problems: {} reported as solved, {} answers accepted by the judge, {rejected} false claims",
             count(sum(|run| run.tally.solves)),
             count(sum(|run| run.tally.claimed)),
             count(sum(|run| run.tally.accepted)),
         );
-        Outcome { good: refuted == 0, says }
+        Outcome { good: rejected == 0, says }
     }
 
     fn show_times(&self, times: &[Vec<Timing>], document: &mut ReportPage) {

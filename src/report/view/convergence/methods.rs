@@ -30,10 +30,11 @@ pub(super) fn show(problems: &[&Progress], document: &mut ReportPage) {
 
 pub(super) fn outcome(problems: &[&Progress]) -> Outcome {
     let methods = || problems.iter().flat_map(|progress| &progress.methods);
-    let refuted = methods().filter(|method| method.outcome == trial::Outcome::Refuted).count();
+    let rejected = methods().filter(|method| method.outcome == trial::Outcome::Rejected).count();
     let solved = methods().filter(|method| method.outcome.is_solved()).count();
-    let says = format!("{solved} of {} solvers succeed, {refuted} false claims", methods().count());
-    Outcome { good: refuted == 0, says }
+    let says =
+        format!("{solved} of {} solvers succeed, {rejected} false claims", methods().count());
+    Outcome { good: rejected == 0, says }
 }
 
 /// The cheapest solver, the cost of each, and the cheapest ones of other problems.

@@ -121,8 +121,8 @@ fn faults(html: &str, folder: &Path) -> Vec<String> {
         }
         match element.name.as_str() {
             "svg" if !inside(k, "svg") && element.get("aria-hidden") != Some("true") => {
-                let told = |name| children(k, name).iter().any(|e| !e.text.trim().is_empty());
-                if !(element.has_words("aria-label") || told("title") && told("desc")) {
+                let message = |name| children(k, name).iter().any(|e| !e.text.trim().is_empty());
+                if !(element.has_words("aria-label") || message("title") && message("desc")) {
                     wrong("has neither title and desc nor a label".into());
                 }
             }

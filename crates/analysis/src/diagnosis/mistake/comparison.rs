@@ -24,6 +24,9 @@ const NEARER: f64 = 100.0;
 const SAME: f64 = 1e-6;
 /// Equal numbers may differ by this many units of rounding, relative to the largest number.
 const ROUNDINGS: f64 = 4.0;
+/// An answer that differs from the solution by more than this part of the largest entry is not a
+/// rounded one, however few its digits are.
+const LARGEST_ROUNDING: f64 = 0.05;
 /// An agreement with a larger probability by chance proves nothing.
 const CHANCE: f64 = 1e-6;
 
@@ -83,10 +86,11 @@ impl<'a> Comparison<'a> {
         distance / self.size
     }
 
-    /// Whether x is the exact solution within its digits.
+    /// Whether x is the exact solution within its digits. Nobody rounds to whole numbers what is
+    /// about 1: (1, 0) is an answer of its own, not (0.9, 0.45) without its digits.
     pub(crate) fn is_rounded_solution(&self) -> bool {
         let is_rounded = |i: usize| (self.x[i] - self.solution[i]).abs() <= self.uncertainty(i);
-        (0..self.x.len()).all(is_rounded)
+        self.solution_distance() <= LARGEST_ROUNDING && (0..self.x.len()).all(is_rounded)
     }
 
     /// The agreement of y with x, if it is near enough; `fitted` numbers of y were taken from x.

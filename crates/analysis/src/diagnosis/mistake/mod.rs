@@ -41,6 +41,8 @@ pub use kind::MistakeKind;
 pub use precision::Precision;
 pub use sweeps::SweepLimits;
 
+use std::collections::HashSet;
+
 use lcplab_judge::regularity::regularity;
 use lcplab_judge::{Demand, Verdict, judge_friction};
 use lcplab_lcp::friction::ProblemForm;
@@ -274,7 +276,7 @@ impl PosedProblem<'_> {
     }
 }
 
-/// The attempts that explain x: the nearest first, then all that are as near.
+/// The attempts that explain x: the nearest first, then all that are as near, each once.
 fn explanations(
     comparison: &Comparison<'_>,
     posed: &PosedProblem<'_>,
@@ -294,6 +296,8 @@ fn explanations(
     found.sort_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance));
     let nearest = found.first().map(|(_, agreement)| *agreement);
     found.retain(|(_, own)| nearest.is_some_and(|nearest| own.is_as_near_as(&nearest)));
+    let mut named = HashSet::new();
+    found.retain(|(attempt, _)| named.insert(attempt.what.clone()));
     let mistake = |(attempt, agreement): (Attempt, Agreement)| Mistake {
         kind: attempt.kind,
         may_be_chance: agreement.may_be_chance(count * attempt.sweeps),

@@ -1,6 +1,6 @@
 //! Where within a step a body first arrives at another one.
 //!
-//! The [path](crate::simulation::path) is looked at so often that no body moves by more than half
+//! The [path](crate::simulation::path) is sampled so often that no body moves by more than half
 //! of the thinnest one in between; where a contact that is not at rest has become an overlap, the
 //! instant is found by bisection (Baraff 1989).
 
@@ -33,9 +33,9 @@ impl Interval<'_> {
             let overlaps = self.overlaps(theta, &mut detector);
             overlaps.iter().any(|overlap| self.is_new(overlap, &known, resting))
         };
-        let looks = path::looks(self.scene, self.before, self.after);
-        let at = |look: usize| look as f64 / looks as f64;
-        let seen = (1..=looks).find(|&look| arrives(at(look)))?;
+        let samples = path::samples(self.scene, self.before, self.after);
+        let at = |sample: usize| sample as f64 / samples as f64;
+        let seen = (1..=samples).find(|&sample| arrives(at(sample)))?;
         let (mut low, mut high) = (at(seen - 1), at(seen));
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);

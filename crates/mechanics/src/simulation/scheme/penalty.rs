@@ -11,7 +11,7 @@
 //!
 //! Forces are explicit, so a step has a largest length: without damping h < 2/ω with ω² the largest
 //! eigenvalue of k J M⁻¹Jᵀ. Loads are carried by errors, c = −x/k, and friction creeps. There is no
-//! coefficient of restitution: damping decides how a body bounces, and e is not looked at.
+//! coefficient of restitution: damping decides how a body bounces, and e has no effect.
 //! K&M, the first of the chapter's schemes.
 
 use super::{substepped, supported};

@@ -72,8 +72,8 @@ pub(super) fn step(
     let assembly = assembled(&scene, &states, found, ConstraintFilter::Only(&ids))?;
     let of_rows = |x: &Impulses| assembly.rows.iter().map(|row| x[&row.id]).collect::<Vec<_>>();
     solving.remember(Stage::Velocity, &assembly, &of_rows(&x));
-    // What pushed is told with the rows at the beginning of the step, as under other schemes: their
-    // speeds are those of the approach.
+    // The rows that pushed are reported as at the beginning of the step, as under other schemes:
+    // their speeds are those of the approach.
     let assembly = assembled(&scene, before, found, ConstraintFilter::Only(&ids))?;
     let pushed = assembly.rows.iter().map(|row| sums[&row.id]).collect::<Vec<_>>();
     solving.pushed = assembly.rows.into_iter().zip(pushed).collect();

@@ -27,7 +27,7 @@ impl Sweeper {
         Sweeper { form, v: Vec::new() }
     }
 
-    /// So many sweeps from x and from the velocities without x; leaves the new x.
+    /// Does the given number of sweeps from x and from the velocities without x; leaves the new x.
     pub fn sweep(
         &mut self,
         system: &System,
@@ -53,7 +53,7 @@ impl Sweeper {
         Ok(())
     }
 
-    /// So many rows in the order in which they are swept.
+    /// The given number of rows in the order in which they are swept.
     pub fn order(&self, rows: usize) -> Vec<usize> {
         match &self.form {
             Form::RowByRow(_) => (0..rows).collect(),

@@ -52,7 +52,7 @@ impl Run<'_> {
             }
             (_, Side::Free) if row == i => self.enter(row, &direction),
             (_, Side::Free) => {
-                let own = entering.expect("a row that enters has been looked at");
+                let own = entering.expect("a row that enters has been examined");
                 if own.schur > 0.0 {
                     self.enter(row, &own);
                 } else {
