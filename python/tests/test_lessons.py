@@ -248,6 +248,14 @@ def test_the_stiffest_soft_column_that_stands_needs_many_substeps_of_one_sweep_a
             assert (abs(risen / names["formula"](m, hertz) - 1) < 0.05) == is_right
 
 
+def test_five_equal_soft_balls_stand_at_any_frequency_with_ten_sweeps_and_ten_are_like_the_heavy_top_as_lesson_16_says():
+    grows = lambda n, h, sweeps: abs(np.linalg.eigvals(soft_column_in_one_step(np.ones(n), h, sweeps))).max() > 1 + 1e-9
+    assert [grows(5, h, 1) for h in (1.6, 1.7)] == [False, True]
+    assert not any(grows(5, h, 10) for h in np.geomspace(0.1, 1e5, 100))
+    for sweeps, limit in (1, 1.5), (2, 2.4), (10, 6.9):
+        assert [grows(10, h, sweeps) for h in (limit - 0.2, limit + 0.2)] == [False, True]
+
+
 def test_the_swing_of_soft_boxes_decays_for_the_steps_that_lesson_16_names():
     stack, masses = cell_of("16_soft_rows.md", "def stack")["stack"], [1, 1, 1, 1, 100]
     for sweeps, h, decays in (1, 1.2, True), (1, 1.4, False), (2, 1.8, True), (10, 4.7, True), (10, 5.1, False):

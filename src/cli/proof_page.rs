@@ -79,7 +79,10 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
         ),
         Claim::NotUnique { x, y } => solutions(
             &[x, y],
-            "Both x and y satisfy the conditions of every row in exact arithmetic, and they differ.",
+            &format!(
+                "Both x and y satisfy the conditions of every row in exact arithmetic, and they differ in {}.",
+                differing(&problem.lcp, x, y)
+            ),
         ),
         Claim::NoSolution { tree: Tree::Leaf(d) } => vec![
             Block::Text(
@@ -100,6 +103,17 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
         | Claim::Motion(_)
         | Claim::FrozenMotion(_)
         | Claim::Within { .. } => Vec::new(),
+    }
+}
+
+/// The rows in which two points differ.
+fn differing(lcp: &Lcp, x: &Vector, y: &Vector) -> String {
+    let (x, y) = (values(lcp, x), values(lcp, y));
+    let rows: Vec<String> = (0..x.len()).filter(|&i| x[i] != y[i]).map(|i| i.to_string()).collect();
+    match &rows[..] {
+        [row] => format!("row {row}"),
+        rows if rows.len() <= SHOWN => format!("rows {}", rows.join(", ")),
+        rows => format!("{} rows", rows.len()),
     }
 }
 

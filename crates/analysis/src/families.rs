@@ -90,7 +90,8 @@ pub struct Row {
     pub fallbacks: usize,
     /// What that was, the last time.
     pub fallback: Option<String>,
-    /// Why the last problem that was not solved was not, or what the judge says of a rejected claim.
+    /// Why the last problem that was not solved was not, or what the judge says of a rejected
+    /// claim.
     pub trouble: Option<String>,
     /// Why this solver cannot solve this family, where that is known.
     pub known_failure: Option<String>,

@@ -176,7 +176,7 @@ fn path_figure(study: &Finding) -> Lines {
     let path = |model: &Model| {
         let paths = study.paths.iter().filter(|path| path.model == *model);
         let points = paths.flat_map(|path| path.points.iter().map(|&[x, y]| (x, y)));
-        Series::points(short(*model), points.collect())
+        Series::points(short(*model), points.collect()).labeled(short(*model))
     };
     let straight = study.paths.iter().find(|path| path.model == Model::CoulombCone);
     let line = straight.map(|path| vec![(0.0, 0.0), (path.expected[0], path.expected[1])]);
@@ -187,7 +187,7 @@ fn path_figure(study: &Finding) -> Lines {
         "A marker every 0.02 s; the last one is where the block stops. The line is the path by \
                   Coulomb's law, which has no preferred direction.",
         Axis::linear("position along t₁", "m"),
-        Axis::linear("position along t₂", "m"),
+        Axis::to_scale("position along t₂", "m"),
         SHOWN.iter().map(path).chain([theory]).collect(),
     )
 }

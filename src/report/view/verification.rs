@@ -239,16 +239,26 @@ fn dots(rows: &[Row]) -> Bars {
         Bar { name: title(&rows[0].case).to_string(), accent: value > 1.0, value, others }
     };
     let mut bars: Vec<Bar> = rows.chunk_by(|a, b| a.case == b.case).map(bar).collect();
+    let cases = bars.len();
+    if bars.iter().any(|bar| bar.value > LEAST) {
+        bars.retain(|bar| bar.value > LEAST);
+    }
+    let below = match cases - bars.len() {
+        0 => String::new(),
+        1 => ", and so do all numbers of one further case, which is not shown".to_string(),
+        others => format!(", and so do all numbers of {others} further cases, which are not shown"),
+    };
     bars.sort_by(|a, b| b.value.total_cmp(&a.value));
     let passed = rows.iter().filter(|row| row.passes()).count();
     Bars {
         id: "verification_dots".into(),
         title: format!("{passed} of {} numbers agree with their closed forms", rows.len()),
-        caption: "Each dot is one number. Its position is the error divided by the allowed error or, if theory \
+        caption: format!(
+            "Each dot is one number. Its position is the error divided by the allowed error or, if theory \
                   gives an order, the difference between the observed and the derived order, divided by 0.1. \
                   Numbers left of the line pass. The number at the right is the largest of the case. Dots below \
-                  10⁻⁶ lie at the left edge."
-            .into(),
+                  10⁻⁶ lie at the left edge{below}."
+        ),
         x: Axis::log("error / allowed error", ""),
         bars,
         limit: Some((1.0, "allowed".into())),

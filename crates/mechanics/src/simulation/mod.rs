@@ -3,7 +3,8 @@
 //! A step finds the contacts, assembles, solves and moves, each scheme in its own way
 //! (`scheme/`). Each solve starts from the x that rows of the same name had before.
 //!
-//! A [`Simulation`] keeps everything that a step consists of, for inspection. A [`Stepper`] keeps the
+//! A [`Simulation`] keeps everything that a step consists of, for inspection. A [`Stepper`] keeps
+//! the
 //! memory and nothing else: the velocity level by sweeps, the same motion, many times faster.
 
 mod conflict;

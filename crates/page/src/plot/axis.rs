@@ -11,6 +11,7 @@ use crate::number::{readable, superscript};
 /// assert_eq!((time.scale, Axis::log("residual", "").scale), (Scale::Linear, Scale::Log));
 /// let at: Vec<f64> = time.scale.ticks((0.0, 10.0), 5).iter().map(|tick| tick.at).collect();
 /// assert_eq!(at, [0.0, 2.0, 4.0, 6.0, 8.0, 10.0]);
+/// assert!(Axis::to_scale("height", "m").is_to_scale);
 /// assert_eq!((round_step(3.0), round_step(0.02)), (5.0, 0.02)); // 1, 2 or 5 times a power of ten
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,6 +22,8 @@ pub struct Axis {
     pub unit: String,
     /// Linear or logarithmic.
     pub scale: Scale,
+    /// Whether a unit has the same length on this axis as on a linear x axis.
+    pub is_to_scale: bool,
 }
 
 /// The scale of an axis.
@@ -43,12 +46,17 @@ pub struct Tick {
 impl Axis {
     /// A linear axis.
     pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear }
+        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, is_to_scale: false }
     }
 
     /// A logarithmic axis.
     pub fn log(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), scale: Scale::Log }
+        Axis { label: label.into(), unit: unit.into(), scale: Scale::Log, is_to_scale: false }
+    }
+
+    /// A linear y axis on which a unit has the same length as on the x axis, as on a map.
+    pub fn to_scale(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Axis { is_to_scale: true, ..Axis::linear(label, unit) }
     }
 
     /// The label with its unit: `time (s)`.

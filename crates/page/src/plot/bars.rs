@@ -14,6 +14,10 @@ use crate::number::readable;
 /// Height of a bar and distance between the tops of two bars in px.
 const THICKNESS: f64 = 16.0;
 const DOT: f64 = 6.0;
+/// A name that is wider than this part of a narrow picture stands above its bar,
+const MOST_BESIDE: f64 = 0.25;
+/// which takes this height in px.
+const NAME: f64 = 16.0;
 /// The color of a bar without accent.
 const GRAY: (u8, u8, u8) = (128, 134, 144);
 const PITCH: f64 = 24.0;
@@ -85,8 +89,11 @@ impl Figure for Bars {
     fn drawn(&self, wide: f64, id: &str) -> String {
         let longest =
             self.bars.iter().map(|bar| style::width(&bar.name, TEXT)).fold(40.0, f64::max);
-        let left = style::EDGE + 12.0 + longest.min(260.0);
-        let tall = PITCH * self.bars.len().max(1) as f64;
+        // On a narrow picture long names stand above their bars.
+        let is_above = wide < style::WIDTH && longest > MOST_BESIDE * wide;
+        let left = style::EDGE + 12.0 + if is_above { 0.0 } else { longest.min(260.0) };
+        let (above, pitch) = if is_above { (NAME, PITCH + NAME) } else { (0.0, PITCH) };
+        let tall = pitch * self.bars.len().max(1) as f64;
         let head = if self.limit.is_some() { TOP + LABEL } else { TOP };
         let (mut canvas, lower) = Canvas::titled(wide, head + tall + 58.0, &self.title);
         let top = head + lower;
@@ -120,12 +127,12 @@ impl Figure for Bars {
             description += &format!("{name} {}; ", readable(*value, 3));
         }
         for (k, bar) in self.bars.iter().enumerate() {
-            let middle = top + PITCH * (k as f64 + 0.5);
+            let middle = top + pitch * k as f64 + above + PITCH / 2.0;
             let (from, _) = frame.place((start, 0.0));
             let end = self.x.scale.position(bar.value).map(|at| frame.place((at, 0.0)).0);
             let to = end.unwrap_or(from);
             // The position of the bar, as a fraction of the frame's height from below.
-            let up = 1.0 - (k as f64 + 0.5) / self.bars.len() as f64;
+            let up = 1.0 - (middle - top) / tall;
             canvas.raw(&format!(
                 "<g class=\"series\" data-series=\"{}\" data-points=\"{}\">\n",
                 escape(&bar.name),
@@ -135,12 +142,12 @@ impl Figure for Bars {
             let color = RGBColor(r, g, b);
             let dot = self.x.scale == Scale::Log;
             canvas.layer("class=\"bar\"", |layer| {
-                let half = if dot { 0.6 } else { THICKNESS / 2.0 };
+                let (half, of_bar) = if dot { (0.6, GRID) } else { (THICKNESS / 2.0, color) };
                 let corners = [
                     (fine(from.min(to)), fine(middle - half)),
                     (fine(from.max(to)), fine(middle + half)),
                 ];
-                layer.draw(&Rectangle::new(corners, color.filled()))?;
+                layer.draw(&Rectangle::new(corners, of_bar.filled()))?;
                 for at in bar.others.iter().filter_map(|value| self.x.scale.position(*value)) {
                     let at = (fine(frame.place((at, 0.0)).0), fine(middle));
                     layer.draw(&Circle::new(at, fine(0.6 * DOT), color.mix(0.35).filled()))?;
@@ -150,11 +157,15 @@ impl Figure for Bars {
             });
             canvas.raw("</g>\n");
             let amount = readable(bar.value, 3);
-            canvas.text((left - 10.0, middle + 5.0), Anchor::End, TEXT, INK, &bar.name);
+            let (name, anchor) = match is_above {
+                true => ((left, middle - PITCH / 2.0), Anchor::Start),
+                false => ((left - 10.0, middle + 5.0), Anchor::End),
+            };
+            canvas.text(name, anchor, TEXT, INK, &bar.name);
             // The number does not lie on the line of the limit.
             let (first, last) =
                 (from.max(to) + 12.0, from.max(to) + 12.0 + style::width(&amount, TEXT));
-            let first = if (first - 4.0..last).contains(&line) { line + 6.0 } else { first };
+            let first = if (first - 4.0..last + 4.0).contains(&line) { line + 6.0 } else { first };
             let beside = (first, middle + 5.0);
             canvas.text(beside, Anchor::Start, TEXT, INK, &amount);
             description += &format!("{} {amount}; ", bar.name);

@@ -27,6 +27,11 @@ const TICK: f64 = 90.0;
 /// The distance from one panel to the next in px.
 const BETWEEN: f64 = 44.0;
 
+/// The heights of a panel to scale in px, and about what the labels left of it take.
+const LOWEST_MAP: f64 = 160.0;
+const HIGHEST_MAP: f64 = 640.0;
+const LABELS: f64 = 50.0;
+
 /// Height of a line of the legend in px.
 pub(super) const ROW: f64 = 24.0;
 
@@ -166,7 +171,14 @@ impl Figure for Lines {
             (false, false) => 200.0,
             (false, true) => 150.0,
         };
-        let plot = |panel| ends::height(self, panel, x, (room, wide)).max(usual);
+        let map = |panel: &Panel| {
+            let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
+            (wide - MARGIN - room - LABELS) * (y.1 - y.0) / (x.1 - x.0)
+        };
+        let plot = |panel: &Panel| match panel.y.is_to_scale {
+            true => map(panel).clamp(LOWEST_MAP, HIGHEST_MAP),
+            false => ends::height(self, panel, x, (room, wide)).max(usual),
+        };
         let heights: Vec<f64> = self.panels.iter().map(plot).collect();
         let key = |panel| match room > 0.0 {
             true => None,
@@ -186,10 +198,17 @@ impl Figure for Lines {
             let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
             (y, panel.y.scale.ticks(y, if *plot > 250.0 { 8 } else { 5 }))
         });
-        let ranges: Vec<_> = ranges.collect();
+        let mut ranges: Vec<_> = ranges.collect();
         let labels = ranges.iter().flat_map(|(_, rows)| rows).map(|row| width(&row.label, TEXT));
         let left = style::EDGE + 8.0 + labels.fold(32.0, f64::max);
         let right = wide - MARGIN - room;
+        for (k, (y, rows)) in ranges.iter_mut().enumerate() {
+            if self.panels[k].y.is_to_scale {
+                let half = 0.5 * heights[k] * (x.1 - x.0) / (right - left);
+                *y = (0.5 * (y.0 + y.1) - half, 0.5 * (y.0 + y.1) + half);
+                *rows = self.panels[k].y.scale.ticks(*y, (heights[k] / 40.0) as usize);
+            }
+        }
         let mut top = header + 32.0;
         for (k, (panel, (y, rows))) in self.panels.iter().zip(&ranges).enumerate() {
             let plot = heights[k];

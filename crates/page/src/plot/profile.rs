@@ -1,5 +1,6 @@
 //! Performance profiles of many methods in a grid of panels: one line of panels per group of
-//! methods, one column per precision. Each panel also shows the methods of the other groups, pale.
+//! methods, one column per precision; on a narrow picture all panels stand in one column. Each
+//! panel also shows the methods of the other groups, pale.
 
 use plotters::prelude::*;
 
@@ -16,6 +17,10 @@ const TOP: f64 = 46.0;
 const HEIGHT: f64 = 130.0;
 const LEFT: f64 = 54.0;
 const GAP: f64 = 26.0;
+/// The height of the title of a panel.
+const HEAD: f64 = 22.0;
+/// From the top of a panel to that of the next one below.
+const BELOW: f64 = HEIGHT + 28.0 + HEAD;
 const SAMPLE: f64 = 30.0;
 const LINE: f64 = 20.0;
 const PALE: RGBColor = RGBColor(214, 217, 222);
@@ -103,11 +108,13 @@ impl Figure for Profiles {
     }
 
     fn drawn(&self, wide: f64, id: &str) -> String {
-        let across = self.columns.len().max(1) as f64;
-        let width = (wide - 2.0 * style::EDGE + GAP) / across - GAP - LEFT;
+        let across = if wide < style::WIDTH { 1 } else { self.columns.len().max(1) };
+        let width = (wide - 2.0 * style::EDGE + GAP) / across as f64 - GAP - LEFT;
+        let lines = self.columns.len().div_ceil(across);
+        let panels = lines as f64 * BELOW - HEAD;
         let legends: Vec<_> = self.groups.iter().map(|group| Legend::of(group, wide)).collect();
-        let heads: Vec<f64> = legends.iter().map(|l| 30.0 + LINE * l.lines as f64 + 22.0).collect();
-        let total: f64 = heads.iter().map(|head| head + HEIGHT + 28.0).sum();
+        let heads: Vec<f64> = legends.iter().map(|l| 30.0 + LINE * l.lines as f64 + HEAD).collect();
+        let total: f64 = heads.iter().map(|head| head + panels).sum();
         let (mut canvas, lower) = Canvas::titled(wide, TOP + total + 30.0, &self.title);
         let x = self.range();
         let mut top = TOP + lower;
@@ -115,26 +122,25 @@ impl Figure for Profiles {
             legend.draw(&mut canvas, group, top);
             let above = top + heads[k];
             for (c, column) in self.columns.iter().enumerate() {
-                let left = style::EDGE + LEFT + (width + LEFT + GAP) * c as f64;
-                let (right, bottom) = (left + width, above + HEIGHT);
-                let frame = Frame { x, y: (0.0, 1.04), left, right, top: above, bottom };
+                let left = style::EDGE + LEFT + (width + LEFT + GAP) * (c % across) as f64;
+                let top = above + BELOW * (c / across) as f64;
+                let (right, bottom) = (left + width, top + HEIGHT);
+                let frame = Frame { x, y: (0.0, 1.04), left, right, top, bottom };
                 self.draw_panel(&mut canvas, &frame, k, c);
-                canvas.text((left, above - 7.0), Anchor::Start, TEXT, FAINT_INK, column);
+                canvas.text((left, top - 7.0), Anchor::Start, TEXT, FAINT_INK, column);
             }
-            let (x, y) = (style::EDGE + 12.0, above + HEIGHT / 2.0);
-            canvas.raw(&format!("<g transform=\"rotate(-90 {x:.1} {y:.1})\">"));
-            canvas.text((x, y), Anchor::Middle, 12.0, FAINT_INK, &self.y.heading());
-            canvas.raw("</g>\n");
-            top = above + HEIGHT + 28.0;
+            for line in 0..lines {
+                let middle = above + BELOW * line as f64 + HEIGHT / 2.0;
+                let (x, y) = (style::EDGE + 12.0, middle);
+                canvas.raw(&format!("<g transform=\"rotate(-90 {x:.1} {y:.1})\">"));
+                canvas.text((x, y), Anchor::Middle, 12.0, FAINT_INK, &self.y.heading());
+                canvas.raw("</g>\n");
+            }
+            top = above + panels;
         }
         let middle = (wide / 2.0, top + 14.0);
         canvas.text(middle, Anchor::Middle, TEXT, INK, &self.x.heading());
         canvas.finish(id, &self.title, &self.description())
-    }
-
-    /// None: several columns of panels do not fit a phone.
-    fn narrow(&self) -> Option<String> {
-        None
     }
 
     /// One record per step: column, method, problems, τ, fraction.

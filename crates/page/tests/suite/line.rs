@@ -3,7 +3,7 @@ use lcplab_page::plot::{Axis, Figure, Lines, Panel, Scale, Series};
 use super::assert_well_formed;
 
 fn figure(x: Scale, y: Scale, series: Vec<Series>) -> Lines {
-    let axis = |scale, label: &str| Axis { label: label.into(), unit: "s".into(), scale };
+    let axis = |scale, label: &str| Axis { scale, ..Axis::linear(label, "s") };
     let panels = vec![Panel { y: axis(y, "y"), series }];
     let (title, caption) = ("A title".into(), "A caption.".into());
     Lines { id: "test".into(), title, caption, x: axis(x, "x"), panels }

@@ -75,28 +75,62 @@ pub(super) fn figure(
     ))
 }
 
-/// The finding: by what factor the measure grows along the axis, at most and at least; where growth
-/// has no factor, as of values of both signs, the largest value.
+/// The finding: where the measure is least, if every curve has its least value inside the axis;
+/// otherwise how the last values compare with the first ones; where these have no ratio, as values
+/// of both signs, the largest value.
 fn finding(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
-    let what = words_of(measure);
-    let growth = |own: &Series| {
+    least(curves, measure, series)
+        .or_else(|| last_and_first(curves, measure, series))
+        .or_else(|| largest(curves, measure, series))
+}
+
+/// Where the curves have their least values, from the curve with the leftmost one to that with the
+/// rightmost one.
+fn least(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
+    let inside = |own: &Series| {
+        let finite = || own.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
+        let (x, least) = finite().min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let is_inside = finite().next()?.1 > *least && finite().next_back()?.1 > *least;
+        is_inside.then(|| (*x, own.name.clone()))
+    };
+    let mut places: Vec<_> = series.iter().map(inside).collect::<Option<_>>()?;
+    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (first, last) = (places.first()?, places.last()?);
+    let place = |(x, name): &(f64, String)| format!("{} ({name})", readable(*x, 3));
+    let range = match places.len() {
+        1 => readable(first.0, 3),
+        _ => format!("{} to {}", place(first), place(last)),
+    };
+    Some(format!("{} least at {} = {range}", words_of(measure), curves.across))
+}
+
+/// The ratio of the last value to the first one, from the curve with the least ratio to that with
+/// the largest one.
+fn last_and_first(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
+    let ratio = |own: &Series| {
         let mut finite = own.points.iter().filter(|(x, y)| x.is_finite() && *y > 0.0);
         let (first, last) = (finite.next()?, finite.next_back()?);
         Some((last.1 / first.1, (first.0, last.0), own.name.clone()))
     };
-    let mut growths: Vec<_> = series.iter().filter_map(growth).collect();
-    growths.sort_by(|a, b| a.0.total_cmp(&b.0));
-    match &growths[..] {
-        [(least, _, slowest), .., (most, (from, to), fastest)] if *most >= 1.0 => Some(format!(
-            "{} {} instead of {} multiplies {what} by {} ({fastest}) to {} ({slowest})",
-            curves.across,
-            readable(*to, 3),
-            readable(*from, 3),
-            readable(*most, 2),
-            readable(*least, 2)
-        )),
-        _ => largest(curves, measure, series),
-    }
+    let mut ratios: Vec<_> = series.iter().filter_map(ratio).collect();
+    ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let [(least, _, lowest), .., (most, (from, to), highest)] = &ratios[..] else { return None };
+    let (what, across) = (words_of(measure), &curves.across);
+    let (from, to) = (readable(*from, 3), readable(*to, 3));
+    Some(if *most < 1.0 {
+        let percent = |ratio: f64| readable(100.0 * ratio, 2);
+        format!(
+            "{what} at {across} = {to}: {} % ({lowest}) to {} % ({highest}) of that at {from}",
+            percent(*least),
+            percent(*most)
+        )
+    } else {
+        format!(
+            "{what} at {across} = {to}: {} ({lowest}) to {} times ({highest}) that at {from}",
+            readable(*least, 2),
+            readable(*most, 2)
+        )
+    })
 }
 
 /// The largest value.

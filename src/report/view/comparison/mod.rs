@@ -18,8 +18,6 @@ use crate::scene::Scheme;
 /// The position of the column for the reason of a failure, left of the measures so that a narrow
 /// screen shows it.
 const TROUBLE: usize = 6;
-/// The entry in the column of solvers for a scheme that solves no LCP.
-const NO_SOLVER: &str = "none";
 /// A motion of fewer steps is not drawn,
 const STEPS: usize = 20;
 /// and neither is one with smaller errors (m), in which only rounding would be seen.
@@ -361,7 +359,8 @@ fn start_energy(run: &Run) -> f64 {
     run.motion.first().map_or(0.0, |first| first.energy)
 }
 
-/// One run for each group of runs that move alike at one level, with a name for the group.
+/// One run for each group of runs that move alike at one level, with a name for the group: that of
+/// the level, unless it has more groups.
 pub(crate) fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
     let measures: [fn(&Sample) -> f64; 3] = [|s| s.energy, |s| s.drift, |s| s.penetration];
     let apart = |a: &Run, b: &Run, measure: fn(&Sample) -> f64| {
@@ -386,13 +385,18 @@ pub(crate) fn alike(runs: &[Run]) -> Vec<(String, &Run)> {
             None => groups.push(vec![run]),
         }
     }
-    groups.into_iter().map(|group| (name(&group), group[0])).collect()
+    let is_one_of_scheme =
+        |run: &Run| groups.iter().filter(|group| group[0].scheme == run.scheme).count() == 1;
+    let name = |group: &Vec<&Run>| match is_one_of_scheme(group[0]) {
+        true => group[0].scheme.clone(),
+        false => name(group),
+    };
+    groups.iter().map(|group| (name(group), group[0])).collect()
 }
 
 /// The first solver of a group, and how many more there are.
 fn name(group: &[&Run]) -> String {
     match group {
-        [only] if only.solver == NO_SOLVER => only.scheme.clone(),
         [only] => format!("{}, {}", only.solver, only.scheme),
         [first, ..] => {
             let others = group.len() - 1;

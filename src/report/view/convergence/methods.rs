@@ -13,6 +13,9 @@ use crate::solver::{Group, Pgs, Registry};
 
 /// The value at which a residual of exactly 0 is drawn on a logarithmic axis.
 const LEAST: f64 = 1e-17;
+/// A logarithm of the measured factor per sweep that is this many times that of the spectral radius
+/// is no deviation by chance.
+const FASTER: f64 = 1.5;
 /// Unsupported weight up to this is not drawn (%).
 const SUPPORTED: f64 = 1e-5;
 
@@ -229,13 +232,16 @@ fn asked(progress: &Progress) -> Series {
 fn by_work(progress: &Progress) -> Lines {
     let mut residuals = curves(progress, |mark| Some(mark.residual.max(LEAST)), true);
     residuals.extend(progress.methods.iter().filter_map(slope));
-    residuals.push(changes(progress));
+    let changes = changes(progress);
+    let has_changes = !changes.points.is_empty();
+    residuals.extend(has_changes.then_some(changes));
     residuals.push(asked(progress));
     residuals.extend(ten_sweeps(progress, "ten sweeps of pgs"));
     let mut panels = vec![Panel { y: Axis::log("scaled residual", ""), series: residuals }];
     let percent = |mark: &Mark| Some(100.0 * mark.unsupported?).filter(|share| *share > SUPPORTED);
     let mut unsupported = curves(progress, percent, false);
-    if !unsupported.is_empty() {
+    let has_weight = !unsupported.is_empty();
+    if has_weight {
         unsupported.extend(ten_sweeps(progress, ""));
         panels.push(Panel { y: Axis::log("unsupported weight", "%"), series: unsupported });
     }
@@ -247,17 +253,54 @@ fn by_work(progress: &Progress) -> Lines {
              A, as here, is stored with its zeros. The cost of a method is where its curve meets the tolerance; \
              a pivoting method has one marker, at its end. Sweeps first remove the part of the error that changes \
              sign from contact to contact. Then each sweep multiplies the residual by the spectral radius of the \
-             iteration matrix on the active set, the rows between their bounds (pale band{}). In addition to the \
-             residual, which Silcowitz et al. (2010) and Mazhar et al. (2015) plot, this figure also shows \
-             how much weight is still unsupported after each amount of work, and where the active set changes.",
+             iteration matrix on the active set, the rows between their bounds (pale band{}).{} {}",
             count(progress.rows),
             readable(progress.omega, 3),
             count(progress.stored),
-            progress.methods.iter().filter_map(radius).collect::<String>()
+            progress.methods.iter().filter_map(radius).collect::<String>(),
+            faster_than_radius(progress),
+            besides_residuals(has_weight, has_changes)
         ),
         x: Axis::log("multiplications", ""),
         panels,
     }
+}
+
+/// The sweep methods that end faster than the spectral radius says: Jacobi's sweeps keep the
+/// symmetry of a symmetric stack, so that their error has no part along an eigenvector without it.
+fn faster_than_radius(progress: &Progress) -> String {
+    let is_faster = |method: &&MethodProgress| {
+        let end = method.marks.last()?;
+        let middle = method.marks.iter().find(|mark| 2 * mark.iteration >= end.iteration)?;
+        let sweeps = end.iteration as f64 - middle.iteration as f64;
+        let measured = (end.residual / middle.residual).ln() / sweeps;
+        Some(measured < FASTER * method.rate?.ln())
+    };
+    let faster = progress.methods.iter().filter(|method| is_faster(method) == Some(true));
+    let names: Vec<&str> = faster.map(|method| method.solver.as_str()).collect();
+    match names.is_empty() {
+        true => String::new(),
+        false => format!(
+            " Faster than its band: {}, whose error has no part along the eigenvector of the spectral radius.",
+            names.join(", ")
+        ),
+    }
+}
+
+/// What the figure shows besides the residuals.
+fn besides_residuals(has_weight: bool, has_changes: bool) -> String {
+    let weight = "how much weight is still unsupported after each amount of work";
+    let changes = "where the active set changes";
+    let shown = match (has_weight, has_changes) {
+        (true, true) => format!("{weight}, and {changes}"),
+        (true, false) => weight.into(),
+        (false, true) => changes.into(),
+        (false, false) => return String::new(),
+    };
+    format!(
+        "In addition to the residual, which Silcowitz et al. (2010) and Mazhar et al. (2015) plot, \
+         this figure also shows {shown}."
+    )
 }
 
 /// The predicted factor per sweep of a method.
@@ -277,12 +320,14 @@ fn finding(progress: &Progress) -> String {
         _ => return format!("{}: residual by multiplication", progress.problem),
     };
     match (by_cost(progress).first(), budget(progress)) {
-        (Some(first), Some(ten)) => format!(
-            "{}: {undone}; {} solves the problem with {} % of their work",
-            progress.problem,
-            first.solver,
-            readable((100.0 * work(first) / ten).round(), 3)
-        ),
+        (Some(first), Some(ten)) => {
+            let part = match work(first) / ten {
+                more if more > 1.0 => format!("{} times", readable(more, 2)),
+                less => format!("{} % of", readable((100.0 * less).round(), 3)),
+            };
+            let (problem, solver) = (&progress.problem, &first.solver);
+            format!("{problem}: {undone}; {solver} solves the problem with {part} their work")
+        }
         _ => format!("{}: {undone}", progress.problem),
     }
 }

@@ -17,10 +17,6 @@ const DIGITS: usize = 2;
 /// Number of steps shown.
 const STEPS: usize = 5;
 
-/// The text if the rows are sound but something else is wrong.
-const TROUBLED_WORDS: &str =
-    "The problem of this step has a solution; the causes of the error follow.";
-
 /// The text if no cause was found but the motion has errors that no residual shows.
 const WARNED_WORDS: &str =
     "The problem of this step has a solution, but the motion has errors: see the warnings.";
@@ -236,6 +232,21 @@ impl Examination {
         }
     }
 
+    /// The text if the rows are sound but something else is wrong: the first cause, and what helps.
+    fn cause_and_remedy(&self) -> String {
+        let causes = self.causes();
+        let cause = match causes[..] {
+            [only] => format!("Cause: {only}."),
+            [first, ..] => format!("First of {} causes: {first}.", causes.len()),
+            [] => String::new(),
+        };
+        let remedy = self.unsupported.as_ref().and_then(UnsupportedLoad::best_remedy);
+        let remedy = remedy.map_or(String::new(), |remedy| {
+            format!(" Remedy: {} (error then {}).", remedy.what, percent(remedy.missing))
+        });
+        format!("The problem of this step has a solution. {cause}{remedy}")
+    }
+
     /// Inserts it at the beginning of a document.
     pub fn open(&self, document: &mut Document) {
         let is_well = self.causes().is_empty()
@@ -244,7 +255,7 @@ impl Examination {
             && self.unmeasured.is_none();
         let rest = match document.is_accepted {
             true if is_well => self.healthy_words(),
-            true if !self.causes().is_empty() => TROUBLED_WORDS.into(),
+            true if !self.causes().is_empty() => self.cause_and_remedy(),
             true if !self.warnings.is_empty() => WARNED_WORDS.into(),
             _ => document.lead.clone(),
         };

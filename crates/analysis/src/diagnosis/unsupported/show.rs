@@ -111,16 +111,19 @@ impl UnsupportedLoad {
         ))
     }
 
-    /// The recommended remedy: the cheapest one that removes the error, otherwise the one that
-    /// leaves the least.
-    pub(crate) fn advice(&self) -> Option<String> {
+    /// The cheapest remedy that removes the error, otherwise the one that leaves the least.
+    pub(crate) fn best_remedy(&self) -> Option<&Remedy> {
         let cures = self.remedies.iter().filter(|remedy| remedy.missing <= HEALTHY);
-        let cheapest = cures.min_by(|a, b| a.work.total_cmp(&b.work));
-        let name = match cheapest {
-            Some(_) => format!("Cheapest remedy with an error of at most {}", percent(HEALTHY)),
-            None => "Remedy with the smallest error".into(),
+        cures.min_by(|a, b| a.work.total_cmp(&b.work)).or_else(|| self.remedies.first())
+    }
+
+    /// The recommended remedy, in words.
+    pub(crate) fn advice(&self) -> Option<String> {
+        let best = self.best_remedy()?;
+        let name = match best.missing <= HEALTHY {
+            true => format!("Cheapest remedy with an error of at most {}", percent(HEALTHY)),
+            false => "Remedy with the smallest error".into(),
         };
-        let best = cheapest.or_else(|| self.remedies.first())?;
         Some(format!(
             "{name}: {}. The error is then {}, after {} multiplications.",
             best.what,
