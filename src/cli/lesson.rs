@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use lcplab::document::unicode;
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::lesson::problem::{self, Problem, Reply};
 use lcplab::lesson::template::{Seed, Template};
-use lcplab::lesson::{ENGINE, Program, unicode, write_python};
+use lcplab::lesson::{ENGINE, Program, write_python};
 use lcplab::live::write_linked;
 use lcplab::page::Page;
 

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use lcplab::document::unicode;
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::lesson::{Program, unicode};
+use lcplab::lesson::Program;
 use lcplab::number::plain;
 use lcplab::page::Table;
 use lcplab::report::difference::Tolerance;

@@ -27,7 +27,6 @@ pub mod source;
 mod table;
 #[doc(hidden)]
 pub mod template;
-mod terminal;
 mod twin;
 
 pub use crate::document::Show;
@@ -36,7 +35,6 @@ pub use python::write_python;
 pub use record::{Output, Record, cell, put, say};
 pub use show::show;
 pub use table::{Entry, row, table};
-pub use terminal::unicode;
 pub use twin::{ARRAYS, ENGINE};
 
 use crate::chapter::exhibit;

@@ -27,6 +27,8 @@ const GAP: f64 = 10.0;
 const FOOT: f64 = 22.0;
 /// The space for the mass of the dark body, above the scales, in px.
 const LINE: f64 = 17.0;
+/// In a narrower pane the arrows of the other forces stand above that of the first, in px.
+const ONE_LINE: f64 = 320.0;
 /// Size of the scales' text in px.
 const SMALL: f64 = 11.0;
 /// The minimum length of the scale bar, as a fraction of the width.
@@ -49,6 +51,8 @@ pub(super) struct Stage {
     usual: f64,
     /// The mass (kg) of the dark body, if one outweighs all others.
     heaviest: Option<f64>,
+    /// Whether the kinds of forces take two lines.
+    is_narrow: bool,
 }
 
 impl Stage {
@@ -60,28 +64,25 @@ impl Stage {
         let columns = animation.columns() as f64;
         let across = ((WIDTH - (columns - 1.0) * GAP) / columns).round();
         let highest = (0.75 * across).clamp(HEIGHT.0, HEIGHT.1);
-        let is_heated = animation
-            .recordings
-            .iter()
-            .flat_map(|recording| &recording.samples)
-            .any(|sample| !sample.frame.heat.is_empty());
+        let samples = || animation.recordings.iter().flat_map(|recording| &recording.samples);
+        let is_heated = samples().any(|sample| !sample.frame.heat.is_empty());
         let heaviest = heaviest(&animation.scene.bodies).filter(|_| !is_heated);
         let heaviest = heaviest.map(|k| animation.scene.bodies[k].mass.mass());
-        let foot = FOOT + if heaviest.is_some() { LINE } else { 0.0 };
+        let acts = |origin: &Origin| {
+            samples().any(|sample| sample.frame.forces.iter().any(|force| force.origin == *origin))
+        };
+        let origins: Vec<Origin> = Origin::ALL.into_iter().filter(acts).collect();
+        let is_narrow = across < ONE_LINE && origins.len() > 1;
+        let foot = FOOT + if heaviest.is_some() || is_narrow { LINE } else { 0.0 };
         let lens = Layout::single(&window, across, highest).lens(camera, &window).with_foot(foot);
         let (x, y) = lens.middle();
         let pivot = camera.world(&Vector3::new(x, y, depth));
-        let samples = || animation.recordings.iter().flat_map(|recording| &recording.samples);
         let largest = |sample: &super::Sample| arrow::largest(std::slice::from_ref(&sample.frame));
         let mut forces: Vec<f64> = samples().map(largest).filter(|force| *force > 0.0).collect();
         forces.sort_by(f64::total_cmp);
         let usual = forces.get((USUAL * forces.len() as f64) as usize).copied().unwrap_or(0.0);
-        let acts = |origin: &Origin| {
-            samples().any(|sample| sample.frame.forces.iter().any(|force| force.origin == *origin))
-        };
-        let origins = Origin::ALL.into_iter().filter(acts).collect();
         let newton = (usual > 0.0).then(|| arrow::scale(usual, &lens));
-        Stage { lens, newton, patches, pivot, origins, usual, heaviest }
+        Stage { lens, newton, patches, pivot, origins, usual, heaviest, is_narrow }
     }
 
     /// The ground and the scales, in px.
@@ -111,8 +112,10 @@ impl Stage {
             length + 15.0,
             y + 4.0
         );
+        let mut second = 10.0; // where the upper line begins
         if let Some(mass) = self.heaviest {
             let (words, color, y) = (format!("{} kg", readable(mass, 2)), hex(HEAVY), y - LINE);
+            second = 25.0 + width(&words, SMALL) + 16.0;
             let _ = write!(
                 out,
                 "<path style=\"fill:{color};stroke:none\" d=\"M10 {:.1}h10v10h-10z\"/>\
@@ -126,6 +129,10 @@ impl Stage {
         let force = round_step(0.35 * self.usual);
         out += "<g class=\"forces\">";
         for (k, origin) in self.origins.iter().enumerate() {
+            let y = if self.is_narrow && k > 0 { y - LINE } else { y };
+            if self.is_narrow && k == 1 {
+                x = second;
+            }
             let long = force * newton;
             let number = if k == 0 { format!(" {} N", readable(force, 2)) } else { String::new() };
             let words = format!("{}{number}", origin.name());

@@ -1,6 +1,7 @@
 //! Closed forms compared with measured numbers.
 
 use super::{Headline, Outcome, ReportPage, View};
+use crate::document::unicode;
 use crate::number::{significant, tabular};
 use crate::plot::{Axis, Bar, Bars};
 use crate::report::page::markup::literal;
@@ -202,7 +203,7 @@ fn approximate(rows: &[Row]) -> Table {
             Cell::text(&row.quantity),
             Cell::number(largest_error(row), 2),
             Cell::number(*tolerance, 2),
-            Cell::text(&row.formula),
+            Cell::text(unicode(&format!("${}$", row.formula))),
             Cell::text(because),
         ]
     };
@@ -271,10 +272,10 @@ fn formulas(rows: &[Row]) -> String {
         let mut formulas: Vec<(&str, Vec<&str>)> = Vec::new();
         for row in rows {
             let quantity = row.quantity.as_str();
-            match formulas.iter_mut().find(|(latex, _)| *latex == row.latex) {
+            match formulas.iter_mut().find(|(latex, _)| *latex == row.formula) {
                 Some((_, quantities)) if quantities.contains(&quantity) => (),
                 Some((_, quantities)) => quantities.push(quantity),
-                None => formulas.push((&row.latex, vec![quantity])),
+                None => formulas.push((&row.formula, vec![quantity])),
             }
         }
         let line = |(latex, quantities): &(&str, Vec<&str>)| {
@@ -387,6 +388,6 @@ fn cells(row: &Row) -> Vec<Cell> {
         allowed,
         observed,
         order.map_or(Cell::text(kind(row)), |order| Cell::number(order, 2)),
-        Cell::text(&row.formula),
+        Cell::text(unicode(&format!("${}$", row.formula))),
     ]
 }

@@ -9,7 +9,6 @@ mod python;
 mod second_way;
 mod sentences;
 mod template;
-mod terminal;
 
 use std::fs;
 use std::path::{Path, PathBuf};

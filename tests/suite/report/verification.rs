@@ -31,7 +31,6 @@ fn row(expected: f64, measured: [f64; 3], criterion: Criterion) -> Row {
         method: "velocity".into(),
         quantity: "quantity".into(),
         formula: "f".into(),
-        latex: "f".into(),
         unit: "m".into(),
         expected,
         samples: samples.map(|(dt, measured)| Sample { dt, measured }).collect(),

@@ -10,8 +10,10 @@ mod markdown;
 pub mod notation;
 mod show;
 pub(crate) mod text;
+mod unicode;
 
 pub use show::Show;
+pub use unicode::unicode;
 
 use serde::{Deserialize, Serialize};
 

@@ -7,6 +7,7 @@ mod profile;
 mod spy;
 mod style;
 mod table;
+mod unicode;
 mod well_formed;
 
 pub use well_formed::assert_well_formed;

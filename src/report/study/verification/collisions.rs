@@ -20,8 +20,7 @@ const ACROSS: (f64, &str) = (
 );
 
 /// The speed after a damped contact.
-const DAMPED: [&str; 2] =
-    ["v exp(-zeta phi/sqrt(1 - zeta^2))", "v\\,e^{-\\zeta\\varphi/\\sqrt{1 - \\zeta^2}}"];
+const DAMPED: &str = "v\\,e^{-\\zeta\\varphi/\\sqrt{1 - \\zeta^2}}";
 /// The step (s) of the penalty method, which it divides by eight: about 1/300 of a contact.
 const PENALTY_STEP: f64 = 8e-4;
 
@@ -63,18 +62,18 @@ pub(super) fn friction_in_impact(size: Size) -> Result<Vec<Row>> {
     for scheme in methods {
         let criterion = of_scheme(scheme);
         let known = vec![
-            Known::exact(criterion, "speed upward", ["e v_n", "e\\,v_n"], "m/s", e * down),
+            Known::exact(criterion, "speed upward", "e\\,v_n", "m/s", e * down),
             Known::exact(
                 criterion,
                 "speed along the ground",
-                ["v_t - mu (1 + e) v_n", "v_t - \\mu(1 + e) v_n"],
+                "v_t - \\mu(1 + e) v_n",
                 "m/s",
                 along - loss,
             ),
             Known::exact(
                 criterion,
                 "angular velocity",
-                ["5 mu (1 + e) v_n/(2 r)", "\\frac{5\\mu(1 + e) v_n}{2 r}"],
+                "\\frac{5\\mu(1 + e) v_n}{2 r}",
                 "rad/s",
                 2.5 * loss / radius,
             ),
@@ -88,13 +87,7 @@ pub(super) fn friction_in_impact(size: Size) -> Result<Vec<Row>> {
     let loss = mu * (1.0 + e) * down;
     let known = vec![
         Known::order(1.0, "speed upward of a penalty contact", DAMPED, "m/s", e * down),
-        Known::order(
-            1.0,
-            "speed along the ground",
-            ["v_t - mu (1 + e) v_n", "v_t - \\mu(1 + e) v_n"],
-            "m/s",
-            along - loss,
-        ),
+        Known::order(1.0, "speed along the ground", "v_t - \\mu(1 + e) v_n", "m/s", along - loss),
     ];
     rows.extend(case.rows(Method::Scheme(Scheme::Penalty), known, |scene| {
         let v = after(scene, 0.05)?[1].v;
@@ -108,7 +101,7 @@ struct Slip {
     method: Method,
     model: Model,
     sliding: Sliding,
-    formula: [&'static str; 2],
+    formula: &'static str,
     /// The speeds along x and y (m/s).
     expected: [f64; 2],
     /// The order of the error in dt; `None` if the model follows its law at every step length.
@@ -135,9 +128,9 @@ pub(super) fn oblique_slip(size: Size) -> Result<Vec<Row>> {
         let (sin, cos) = libm::sincos(corner.to_radians());
         [speed * cos_of_slip - pull * cos, speed * sin_of_slip - pull * sin]
     };
-    let of_polygon = ["v0 - mu g t p", "v_0 - \\mu g t\\,p"];
-    let of_cone = ["v0 - mu g t v0/|v0|", "v_0 - \\mu g t\\,v_0/|v_0|"];
-    let of_box = ["v0 - mu g t sgn(v0)", "v_0 - \\mu g t\\,\\mathrm{sgn}(v_0)"];
+    let of_polygon = "v_0 - \\mu g t\\,p";
+    let of_cone = "v_0 - \\mu g t\\,v_0/|v_0|";
+    let of_box = "v_0 - \\mu g t\\,\\mathrm{sgn}(v_0)";
     let slip = |model, formula, expected| Slip {
         method: Method::Velocity,
         model,
@@ -195,9 +188,9 @@ pub(super) fn oblique_slip(size: Size) -> Result<Vec<Row>> {
 fn thrown(case: &Case, mu: f64, time: f64, straight: [f64; 2]) -> Vec<Row> {
     let v = case.scene.states[1].v;
     let part = 1.0 / (1.0 + mu * mu);
-    let along = ["v0/(1 + mu^2)", "\\frac{v_0}{1 + \\mu^2}"];
-    let up = ["mu |v0|/(1 + mu^2) - g t", "\\frac{\\mu |v_0|}{1 + \\mu^2} - g t"];
-    let of_cone = ["v0 - mu g t v0/|v0|", "v_0 - \\mu g t\\,v_0/|v_0|"];
+    let along = "\\frac{v_0}{1 + \\mu^2}";
+    let up = "\\frac{\\mu |v_0|}{1 + \\mu^2} - g t";
+    let of_cone = "v_0 - \\mu g t\\,v_0/|v_0|";
     let of = |what: &str| format!("{what} after 0.1 s, associated-cone");
     let known = vec![
         Known::order(1.0, of("speed along x"), along, "m/s", part * v.x),
@@ -241,7 +234,7 @@ pub(super) fn bounces(size: Size) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for scheme in Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Penalty) {
         let what = "velocity after three bounces";
-        let formula = ["-e^3 v", "-e^3 v"];
+        let formula = "-e^3 v";
         let known = vec![Known::exact(of_scheme(scheme), what, formula, "m/s", -e.powi(3) * speed)];
         rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
             // 0.4 m, then twice 0.8 m at 1.8 and 1.62 m/s: the third hit is at 1.138 s.
@@ -250,7 +243,7 @@ pub(super) fn bounces(size: Size) -> Result<Vec<Row>> {
     }
     let (case, e) = under_penalty(&case, size, 1.0, 1.0);
     let what = "velocity after three bounces";
-    let formula = ["-e^3 v", "-e^3 v"];
+    let formula = "-e^3 v";
     // The errors of the three contacts depend on the part of a substep in which each begins.
     let within = (
         2e-3,
@@ -274,8 +267,8 @@ pub(super) fn flat(size: Size) -> Result<Vec<Row>> {
     for scheme in Scheme::ALL.into_iter().filter(|scheme| *scheme != Scheme::Penalty) {
         let criterion = of_scheme(scheme);
         let known = vec![
-            Known::exact(criterion, "speed upward", ["e v", "e\\,v"], "m/s", e * speed),
-            Known::exact(criterion, "angular velocity", ["0", "0"], "rad/s", 0.0),
+            Known::exact(criterion, "speed upward", "e\\,v", "m/s", e * speed),
+            Known::exact(criterion, "angular velocity", "0", "rad/s", 0.0),
         ];
         rows.extend(case.rows(Method::Scheme(scheme), known, |scene| {
             let state = after(scene, 0.1)?[1];
@@ -285,7 +278,7 @@ pub(super) fn flat(size: Size) -> Result<Vec<Row>> {
     let (case, e) = under_penalty(&case, size, 4.0, 1.0);
     let known = vec![
         Known::order(1.0, "speed upward of a penalty contact", DAMPED, "m/s", e * speed),
-        Known::exact(SUMMED, "angular velocity", ["0", "0"], "rad/s", 0.0),
+        Known::exact(SUMMED, "angular velocity", "0", "rad/s", 0.0),
     ];
     rows.extend(case.rows(Method::Scheme(Scheme::Penalty), known, |scene| {
         let state = after(scene, 0.1)?[1];
@@ -311,7 +304,7 @@ pub(super) fn off_center(size: Size) -> Result<Vec<Row>> {
         velocity = [3, 0, 0]\n";
     let case = Case::of("off-center-impact", Scene::from_toml("ball-and-brick", text)?, size);
     let reduced = ball * brick / (ball + brick);
-    let formula = ["r x m v", "r \\times m v"];
+    let formula = "r \\times m v";
     let expected = [("x", 0.0), ("y", z * reduced * speed), ("z", -y * reduced * speed)];
     let mut rows = Vec::new();
     for scheme in Scheme::ALL {
@@ -359,7 +352,7 @@ pub(super) fn gap(size: Size) -> Result<Vec<Row>> {
     let sin = offset / reach;
     let along = speed * (1.0 - sin * sin).sqrt();
     let expected = [along * (1.0 - sin * sin).sqrt(), along * sin];
-    let formula = ["v (1 - s^2, s sqrt(1 - s^2))", "v\\,(1 - s^2,\\ s\\sqrt{1 - s^2})"];
+    let formula = "v\\,(1 - s^2,\\ s\\sqrt{1 - s^2})";
     let turned = (0.05, "the impact is applied at the beginning of the step (a warning says so)");
     let mut rows = Vec::new();
     for (method, criterion) in [(Method::Acceleration, SUMMED), (Method::Velocity, turned)] {

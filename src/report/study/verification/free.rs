@@ -10,8 +10,7 @@ pub(super) fn fall(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("free-fall", "free_fall", size)?;
     let (start, time) = (case.scene.states[0], 1.0);
     let fall = Fall { height: start.pose.p.z, speed: start.v.z, gravity: -case.scene.gravity.z };
-    let [velocity, height] =
-        [["v0 - g t", "v_0 - g\\,t"], ["z0 + v0 t - g t^2/2", "z_0 + v_0 t - \\tfrac12 g\\,t^2"]];
+    let [velocity, height] = ["v_0 - g\\,t", "z_0 + v_0 t - \\tfrac12 g\\,t^2"];
     let mut rows = Vec::new();
     for (method, order) in [
         (Method::Velocity, Some(1.0)),

@@ -46,8 +46,8 @@ impl Method {
 /// The theory of a quantity.
 pub(super) struct Known {
     pub quantity: String,
-    /// As text and as LaTeX.
-    pub formula: [&'static str; 2],
+    /// As LaTeX.
+    pub formula: &'static str,
     pub unit: &'static str,
     pub expected: f64,
     pub criterion: Criterion,
@@ -58,7 +58,7 @@ impl Known {
     pub fn order(
         order: f64,
         quantity: impl Into<String>,
-        formula: [&'static str; 2],
+        formula: &'static str,
         unit: &'static str,
         expected: f64,
     ) -> Self {
@@ -70,7 +70,7 @@ impl Known {
     pub fn exact(
         (tolerance, because): (f64, &str),
         quantity: impl Into<String>,
-        formula: [&'static str; 2],
+        formula: &'static str,
         unit: &'static str,
         expected: f64,
     ) -> Self {
@@ -134,8 +134,7 @@ impl Case {
             scene: self.scene.name.clone(),
             method: method.name().into(),
             quantity: known.quantity,
-            formula: known.formula[0].into(),
-            latex: known.formula[1].into(),
+            formula: known.formula.into(),
             unit: known.unit.into(),
             expected: known.expected,
             samples: sample(k),

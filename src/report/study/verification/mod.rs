@@ -103,10 +103,8 @@ pub struct Row {
     pub method: String,
     /// The measured quantity.
     pub quantity: String,
-    /// The formula as text.
-    pub formula: String,
     /// The formula as LaTeX.
-    pub latex: String,
+    pub formula: String,
     /// The unit; empty for a pure number.
     pub unit: String,
     /// The value of the formula.

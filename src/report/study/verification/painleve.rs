@@ -10,7 +10,7 @@ use crate::simulation::Cause;
 /// step after which the tip does not penetrate.
 pub(super) fn rod(size: Size) -> Result<Vec<Row>> {
     let case = Case::load("painleve", "painleve", size)?;
-    let formula = ["d >= 0, A^T d <= 0, b d < 0", "d \\ge 0,\\ A^T d \\le 0,\\ b^T d < 0"];
+    let formula = "d \\ge 0,\\ A^T d \\le 0,\\ b^T d < 0";
     let what = "number of proofs that no forces exist";
     let known =
         vec![Known::exact((0.0, "a proof is exact: it holds or it fails"), what, formula, "", 1.0)];
@@ -19,7 +19,7 @@ pub(super) fn rod(size: Size) -> Result<Vec<Row>> {
         let proved = matches!(failure.cause, Cause::NoSolution { proof: Some(_), .. });
         Some(vec![f64::from(u8::from(proved))])
     });
-    let formula = ["0", "0"];
+    let formula = "0";
     let known =
         vec![Known::exact(ROUNDING, "speed of the tip toward the ground", formula, "m/s", 0.0)];
     rows.extend(case.rows(Method::Velocity, known, |scene| {

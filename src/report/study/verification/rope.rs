@@ -21,7 +21,7 @@ pub(super) fn catenary(size: Size) -> Result<Vec<Row>> {
     let level = rope.mass * -case.scene.gravity.z / ratio;
     let mut rows = Vec::new();
     for method in LEVELS {
-        let formula = ["H sqrt(1 + s_k^2)", "H\\sqrt{1 + s_k^2}"];
+        let formula = "H\\sqrt{1 + s_k^2}";
         let known = [0, 3, 5].map(|k: usize| {
             let what = format!("tension in rod {}", k + 1);
             Known::exact(HANGS, what, formula, "N", level * slopes[k].hypot(1.0))
@@ -47,14 +47,14 @@ pub(super) fn atwood(size: Size) -> Result<Vec<Row>> {
             Known::exact(
                 ROUNDING,
                 "acceleration of the heavier weight",
-                ["(m1 - m2) g / (m1 + m2)", "\\frac{m_1 - m_2}{m_1 + m_2}\\,g"],
+                "\\frac{m_1 - m_2}{m_1 + m_2}\\,g",
                 "m/s²",
                 (m1 - m2) / (m1 + m2) * g,
             ),
             Known::exact(
                 ROUNDING,
                 "tension",
-                ["2 m1 m2 g / (m1 + m2)", "\\frac{2 m_1 m_2}{m_1 + m_2}\\,g"],
+                "\\frac{2 m_1 m_2}{m_1 + m_2}\\,g",
                 "N",
                 2.0 * m1 * m2 / (m1 + m2) * g,
             ),
@@ -78,21 +78,20 @@ pub(super) fn massive_pulley(size: Size) -> Result<Vec<Row>> {
     let a = (m1 - m2) / (m1 + m2 + inertia / (radius * radius)) * g;
     let mut rows = Vec::new();
     for method in LEVELS {
-        let formula =
-            ["(m1 - m2) g / (m1 + m2 + I/r^2)", "\\frac{m_1 - m_2}{m_1 + m_2 + I/r^2}\\,g"];
+        let formula = "\\frac{m_1 - m_2}{m_1 + m_2 + I/r^2}\\,g";
         let known = vec![
             Known::exact(ROUNDING, "acceleration of the heavier weight", formula, "m/s²", a),
             Known::exact(
                 ROUNDING,
                 "tension above the heavier weight",
-                ["m1 (g - a)", "m_1\\,(g - a)"],
+                "m_1\\,(g - a)",
                 "N",
                 m1 * (g - a),
             ),
             Known::exact(
                 ROUNDING,
                 "tension above the lighter weight",
-                ["m2 (g + a)", "m_2\\,(g + a)"],
+                "m_2\\,(g + a)",
                 "N",
                 m2 * (g + a),
             ),
@@ -136,7 +135,7 @@ fn wound(case: &Case, post: Capstan) -> Vec<Row> {
             Known::exact(
                 HANGS,
                 "acceleration, pulled with 1 % more than the limit",
-                ["(T2 - r^n T1) / m K", "\\frac{T_2 - r^n T_1}{m K}"],
+                "\\frac{T_2 - r^n T_1}{m K}",
                 "m/s²",
                 post.acceleration(weak, slides),
             ),

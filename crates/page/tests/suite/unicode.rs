@@ -1,6 +1,6 @@
-//! Formulas as a terminal shows them.
+//! Formulas in Unicode.
 
-use lcplab::lesson::unicode;
+use lcplab_page::document::unicode;
 
 #[test]
 fn formulas_become_letters_and_words_stay() {
@@ -12,6 +12,8 @@ fn formulas_become_letters_and_words_stay() {
         (r"$\omega \ge (1/\sin 45°)^{1/2}$", "ω ≥ (1/sin 45°)^(1/2)"),
         (r"$|x_t| \le \mu\,x_n$", "|xₜ| ≤ μ xₙ"),
         (r"$\frac{a + b}{2 c}$ and $\sqrt{2}$", "(a + b)/(2 c) and √2"),
+        (r"$v\,(1 - s^2,\ s\sqrt{1 - s^2})$", "v (1 - s², s√(1 - s²))"),
+        (r"$\Omega^2 l - \mu g \tau$", "Ω² l - μ g τ"),
         ("10 % of $b$", "10 % of b"),
     ] {
         assert_eq!(unicode(markdown), text);

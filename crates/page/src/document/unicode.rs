@@ -1,7 +1,8 @@
-//! Markdown with formulas in the form for a terminal: `$\tfrac12 x^T A x$` becomes `½ xᵀ A x`.
+//! Markdown with formulas in Unicode, for terminals and cells of tables: `$\tfrac12 x^T A x$`
+//! becomes `½ xᵀ A x`.
 
 /// The symbols of commands.
-const SYMBOLS: [(&str, &str); 28] = [
+const SYMBOLS: [(&str, &str); 30] = [
     ("cdot", "·"),
     ("times", "×"),
     ("ge", "≥"),
@@ -28,8 +29,10 @@ const SYMBOLS: [(&str, &str); 28] = [
     ("Pi", "Π"),
     ("rho", "ρ"),
     ("sigma", "σ"),
+    ("tau", "τ"),
     ("varphi", "φ"),
     ("omega", "ω"),
+    ("Omega", "Ω"),
 ];
 const RAISED: (&str, &str) = ("0123456789+-nkTij*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿᵏᵀⁱʲ*");
 const LOWERED: (&str, &str) = ("0123456789+-nktij", "₀₁₂₃₄₅₆₇₈₉₊₋ₙₖₜᵢⱼ");
@@ -39,7 +42,7 @@ const HALVES: [(&str, &str); 6] =
 /// The text with its formulas in Unicode.
 ///
 /// ```
-/// use lcplab::lesson::unicode;
+/// use lcplab_page::document::unicode;
 ///
 /// assert_eq!(unicode(r"a body with $x_1 \ge 0$"), "a body with x₁ ≥ 0");
 /// ```
