@@ -98,17 +98,17 @@ fn a_drag_turns_the_camera_and_two_clicks_turn_it_back() {
     assert_eq!(found, json!([[true, true, false], true, false, [true, true, true], true]));
 }
 
-/// A pendulum here, and on the moon.
-fn two_pendulums() -> Page {
-    let scene = Scene::load("pendulum").unwrap();
-    let recording = |name: &str, g: f64| {
+/// A scene under two gravities (m/s²), a hundred steps.
+fn two_gravities(scene: &Scene, gravities: [f64; 2]) -> Page {
+    let recording = |g: f64| {
         let mut scene = scene.clone();
         scene.gravity.z = -g;
         let solver = simulation::solver(&scene).unwrap();
+        let name = format!("{g} m/s²");
         Recording::of(name, &mut Simulation::new(scene, solver), 100, 11)
     };
-    let recordings = vec![recording("earth", 9.81), recording("moon", 1.62)];
-    let animation = Animation::new("swing", &scene, recordings).drawn();
+    let recordings = gravities.map(recording).into();
+    let animation = Animation::new("swing", scene, recordings).drawn();
     let player = Player { animation, caption: String::new(), files: Vec::new() };
     let blocks = vec![Block::Player(Box::new(player))];
     let section =
@@ -125,6 +125,22 @@ fn bodies_have_outlines_where_the_first_pane_has_them_unless_they_are_there() {
         const start = outlines();
         press(part('.screen'), 'End');
         return [start, outlines()];";
-    let found = two_pendulums().seen(1280, &format!("{ANIMATION}{script}"));
+    let page = two_gravities(&Scene::load("pendulum").unwrap(), [9.81, 1.62]);
+    let found = page.seen(1280, &format!("{ANIMATION}{script}"));
+    assert_eq!(found, json!([[false, false], [false, true]]));
+}
+
+/// One ball hovers, the other falls out of the picture.
+#[test]
+fn bodies_outside_the_picture_are_counted() {
+    let text = "title = 'ball'\n[step]\ndt = 0.01\n[[bodies]]\nname = 'ball'\nmass = 1\nshape = { sphere = 0.1 }";
+    let page = two_gravities(&Scene::from_toml("ball.toml", text).unwrap(), [0.0, 9.81]);
+    let script = "
+        const said = () => all('.values', animation).map((pane) => /outside the picture 1 of 1/.test(pane.textContent));
+        press(part('.screen'), 'Home');
+        const start = said();
+        press(part('.screen'), 'End');
+        return [start, said()];";
+    let found = page.seen(1280, &format!("{ANIMATION}{script}"));
     assert_eq!(found, json!([[false, false], [false, true]]));
 }

@@ -238,6 +238,8 @@ function stage(animation, recording, pane, other) {
     forces.innerHTML = arrows(animation, recording.forces[now]);
     const shown = animation.measures.map((measure, m) =>
       `<span>${measure.name} <b>${number(recording.measures[m][now])}</b> ${measure.unit}</span>`);
+    const away = outside(animation, places);
+    if (away > 0) shown.push(`<span>outside the picture <b>${away}</b> of ${animation.bodies.filter(moves).length}</span>`);
     values.innerHTML = shown.join("");
     if (recording.ending && asked >= count - 1) {
       const end = document.createElement("span");
@@ -258,6 +260,13 @@ const turned = ([w, ...v], p) => {
   const t = cross(v, p).map((x) => 2 * x);
   return plus(plus(p, t.map((x) => w * x)), cross(v, t));
 };
+const moves = (parts) => !parts.some((part) => part.fixed);
+// How many moving bodies are outside the picture.
+const outside = (animation, places) => animation.bodies.filter((parts, k) => moves(parts) && parts.every((part) =>
+  part.corners.every((corner) => {
+    const [x, y] = place(animation, plus(places[k].p, turned(places[k].q, corner))), r = part.radius * animation.scale;
+    return x + r < 0 || x - r > animation.size[0] || y + r < 0 || y - r > animation.size[1];
+  }))).length;
 // To the right, up, towards the viewer.
 const seen = (animation, p) => [0, 1, 2].map((i) => dot(animation.camera.map((axis) => axis[i]), p));
 const place = (animation, p) => {
