@@ -141,12 +141,8 @@ pub(super) fn ladder(size: Size) -> Result<Vec<Row>> {
     let mu = 0.9 * known_as.push_of_wall(g) / (known_as.mass * g);
     slippery.scene.bodies[floor].friction = mu;
     slippery.scene.bodies[ladder].friction = mu;
-    let turns = [
-        "m g t / (I + m L^2/4 - m L cos theta mu (L sin theta + r)/2), t = mu (L sin theta + r) - L cos \
-         theta/2",
-        "\\frac{m\\,g\\,\\tau}{I + m L^2/4 - \\tfrac12 m L\\cos\\theta\\,\\mu(L\\sin\\theta + r)},\\ \\tau = \
-         \\mu(L\\sin\\theta + r) - \\tfrac12 L\\cos\\theta",
-    ];
+    let turns = "\\frac{m\\,g\\,\\tau}{I + m L^2/4 - \\tfrac12 m L\\cos\\theta\\,\\mu(L\\sin\\theta + r)},\\ \\tau = \
+         \\mu(L\\sin\\theta + r) - \\tfrac12 L\\cos\\theta";
     let moment = match slippery.scene.bodies[ladder].mass {
         crate::body::Mass::Rigid { moments, .. } => moments.y,
         _ => f64::NAN,

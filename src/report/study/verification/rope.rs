@@ -123,11 +123,8 @@ pub(super) fn two_turns(size: Size) -> Result<Vec<Row>> {
 fn wound(case: &Case, post: Capstan) -> Vec<Row> {
     let weak = case.scene.bodies[1].force.norm();
     let [holds, slides] = [0.99, 1.01].map(|part: f64| part * post.ratio() * weak);
-    let ratio = [
-        "0, because T2 < T1 ((1 + mu tan(d/2)) / (1 - mu tan(d/2)))^n",
-        "0 \\text{ because } T_2 < T_1 \\left(\\frac{1 + \\mu\\tan\\frac{\\delta}{2}}{1 - \
-         \\mu\\tan\\frac{\\delta}{2}}\\right)^n",
-    ];
+    let ratio = "0 \\text{ because } T_2 < T_1 \\left(\\frac{1 + \\mu\\tan\\frac{\\delta}{2}}{1 - \
+         \\mu\\tan\\frac{\\delta}{2}}\\right)^n";
     let mut rows = Vec::new();
     for method in LEVELS {
         let known = vec![
