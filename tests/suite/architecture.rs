@@ -58,6 +58,7 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
                 "card",
                 "ci",
                 "clarabel",
+                "gradient",
                 "minimum",
                 "motion_error",
                 "tally",

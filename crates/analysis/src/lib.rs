@@ -2,10 +2,10 @@
 //!
 //! [`trial`] solves, judges and counts. With it, [`families`] and [`profiles`] compare the solvers
 //! on problems, `comparison` on scenes, and [`hunt`] searches for false claims. [`friction`] solves
-//! and judges one problem, [`explain`] derives an answer line by line, [`diagnosis`] says why there
-//! is none. [`receipt`] checks the steps of physics engines. What needs scenes is behind the
-//! feature `mechanics`. [`methods`] are the solvers of the registry, with the feature `clarabel`
-//! also the reference.
+//! and judges one problem, [`explain`] derives an answer line by line, [`gradient`] differentiates
+//! it, [`diagnosis`] says why there is none. [`receipt`] checks the steps of physics engines. What
+//! needs scenes is behind the feature `mechanics`. [`methods`] are the solvers of the registry,
+//! with the feature `clarabel` also the reference.
 
 // The hidden modules are parts of the program `lcplab`, another crate. They are no promise.
 
@@ -24,6 +24,7 @@ pub mod diagnosis;
 pub mod explain;
 pub mod families;
 pub mod friction;
+pub mod gradient;
 pub mod hunt;
 pub mod loads;
 pub mod methods;

@@ -5,6 +5,7 @@ mod comparison;
 mod diagnosis;
 mod explain;
 mod extremes;
+mod gradient;
 mod healthy;
 mod hunt;
 mod hunting;
