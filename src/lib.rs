@@ -37,7 +37,7 @@
 //! taken, [`chapter`] shows what K&M print next to the correct statements, [`lesson`] contains the
 //! lessons.
 
-pub use lcplab_analysis::{card, diagnosis, explain, hunt};
+pub use lcplab_analysis::{card, diagnosis, explain, gradient, hunt};
 pub use lcplab_files as files;
 pub use lcplab_judge as judge;
 pub use lcplab_judge::reference;

@@ -9,6 +9,7 @@ mod engines;
 mod explain;
 mod form;
 mod friction;
+mod gradient;
 mod grid;
 mod hunt;
 mod judge;
@@ -83,6 +84,7 @@ enum Command {
     Grid(grid::Grid),
     Solve(problem::Solve),
     Judge(judge::Judge),
+    Gradient(gradient::Derivatives),
     Prove(proof::Prove),
     Check(proof::Check),
     Problems(library::Problems),
@@ -113,7 +115,7 @@ const GROUPS: [(&str, &[&str]); 5] = [
         "Most used",
         &["solve", "judge", "diagnose", "hunt", "test", "receipts", "simulate", "report", "lesson"],
     ),
-    ("Problems", &["compare", "explain", "prove", "check", "problems", "convert"]),
+    ("Problems", &["compare", "explain", "gradient", "prove", "check", "problems", "convert"]),
     ("Scenes", &["scenes", "export"]),
     ("Learn", &["exercise", "live", "chapter", "teacher"]),
     ("Series of runs", &["grid"]),
@@ -188,6 +190,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Grid(command) => command.run(&limits),
         Command::Solve(command) => command.run(&limits),
         Command::Judge(command) => command.run(),
+        Command::Gradient(command) => command.run(),
         Command::Prove(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Problems(command) => command.run(),

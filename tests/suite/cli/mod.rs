@@ -9,6 +9,7 @@ mod diagnose;
 mod document;
 mod exit_code;
 mod friction;
+mod gradient;
 mod hostile;
 mod limits;
 #[cfg(unix)] // its links

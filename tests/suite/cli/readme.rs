@@ -61,6 +61,23 @@ fn the_summary_on_the_page_of_reports_is_that_of_a_run() {
 }
 
 #[test]
+fn the_examples_of_the_page_on_gradients_are_those_of_a_run() {
+    let page = include_str!("../../../docs/gradients.md");
+    let problem = out(&run(&["problems", "pushed-mass"]));
+    let output = out(&run_with(&problem, &["gradient", "-", "--row", "1"]));
+    assert!(page.contains(&output), "{output}");
+    let folder = tempfile::tempdir().unwrap();
+    let [step, theirs] = ["step.json", "theirs.json"].map(|name| folder.path().join(name));
+    run(&["export", "fig7", "--step", "1", "--out", &step.display().to_string()]);
+    std::fs::write(&theirs, r#"{"dx_db": [[3, 2, 1], [2, 2, 1], [1, 1, 1]]}"#).unwrap();
+    let arguments = [&step, &theirs].map(|path| path.display().to_string());
+    let wrong = run(&["gradient", &arguments[0], "--theirs", &arguments[1]]);
+    assert_eq!(wrong.status.code(), Some(1));
+    let (_, found) = page.split_once("--theirs mine.json\n").unwrap();
+    assert!(out(&wrong).ends_with(&found[..found.find("```").unwrap()]), "{}", out(&wrong));
+}
+
+#[test]
 fn the_examples_of_the_page_on_commands_are_those_of_a_run() {
     let page = include_str!("../../../docs/commands.md");
     let folder = tempfile::tempdir().unwrap();
