@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use super::active::{Change, Rows};
 use super::linear::solve;
-use super::{Gradient, Status, check, check_place, exact, failure};
+use super::{Gradient, Status, entry, failure, numbers};
 use lcplab_lcp::error::{Error, Result};
 
 /// A change of the data; empty lists change nothing. Changes of A are entries (row, column, value);
@@ -130,13 +130,11 @@ impl Gradient {
         ];
         for (name, given, own) in lists {
             if !given.is_empty() {
-                check(name, given.len(), n)?;
-                own.iter_mut().zip(given).for_each(|(own, &given)| *own = exact(given));
+                *own = numbers(name, given, n)?;
             }
         }
-        for &(i, j, value) in &direction.a {
-            check_place("A", i, n).and_then(|()| check_place("A", j, n))?;
-            change.q[i] += exact(value) * &rows.x[j];
+        for &place @ (i, j, _) in &direction.a {
+            change.q[i] += entry("A", place, (n, n))? * &rows.x[j];
         }
         (0..n).try_for_each(|i| self.check_bounds(&change, i))?;
         let moved = match &self.motion {

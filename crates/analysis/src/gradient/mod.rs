@@ -248,14 +248,24 @@ fn exact(x: f64) -> RBig {
     rational(&dyadic(x))
 }
 
-fn check(name: &str, len: usize, n: usize) -> Result<()> {
-    let reason = format!("has {len} entries, must have {n}");
-    if len == n { Ok(()) } else { Err(Error::invalid("direction", name, reason)) }
+/// A vector of n finite numbers.
+fn numbers(name: &str, given: &[f64], n: usize) -> Result<Vec<RBig>> {
+    let invalid = |reason: String| Err(Error::invalid("direction", name, reason));
+    match given.iter().find(|value| !value.is_finite()) {
+        _ if given.len() != n => invalid(format!("has {} entries, must have {n}", given.len())),
+        Some(value) => invalid(format!("must be finite, has {value}")),
+        None => Ok(given.iter().map(|&value| exact(value)).collect()),
+    }
 }
 
-fn check_place(name: &str, i: usize, n: usize) -> Result<()> {
-    let reason = format!("has an entry in row or column {i}, must be below {n}");
-    if i < n { Ok(()) } else { Err(Error::invalid("direction", name, reason)) }
+/// The finite value of an entry of a matrix with this number of rows and columns.
+fn entry(name: &str, (i, j, value): (usize, usize, f64), size: (usize, usize)) -> Result<RBig> {
+    if i >= size.0 || j >= size.1 || !value.is_finite() {
+        let reason =
+            format!("has {value} at ({i}, {j}), must be finite and within {} × {}", size.0, size.1);
+        return Err(Error::invalid("direction", name, reason));
+    }
+    Ok(exact(value))
 }
 
 fn failure(reason: String) -> Error {

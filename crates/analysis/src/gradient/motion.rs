@@ -17,7 +17,7 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 use super::linear::{dot, number, solve};
-use super::{Direction, check, check_place, exact};
+use super::{Direction, entry, exact, numbers};
 use lcplab_lcp::error::Result;
 use lcplab_lcp::{Gauss, Lcp};
 
@@ -140,24 +140,23 @@ impl Motion {
         let (n, k) = (self.x.len(), self.len());
         let list = |name: &str, given: &[f64], len: usize| match given {
             [] => Ok(vec![RBig::ZERO; len]),
-            given => check(name, given.len(), len)
-                .map(|()| given.iter().map(|&value| exact(value)).collect::<Vec<RBig>>()),
+            given => numbers(name, given, len),
         };
         let bias = list("bias", &direction.bias, n)?;
         let compliance = list("compliance", &direction.compliance, n)?;
         let target = list("target", &direction.target, k)?;
         let mut force = vec![RBig::ZERO; k];
         let mut q: Vec<RBig> = (0..n).map(|i| &bias[i] + &compliance[i] * &self.x[i]).collect();
-        for &(i, j, value) in &direction.jacobian {
-            check_place("jacobian", i, n).and_then(|()| check_place("jacobian", j, k))?;
-            force[j] += exact(value) * &self.x[i];
-            q[i] += exact(value) * &self.u[j];
+        for &place @ (i, j, _) in &direction.jacobian {
+            let change = entry("jacobian", place, (n, k))?;
+            force[j] += &change * &self.x[i];
+            q[i] += change * &self.u[j];
         }
-        for &(i, j, value) in &direction.mass {
-            check_place("mass", i, k).and_then(|()| check_place("mass", j, k))?;
-            force[i] -= exact(value) * &self.g[j];
+        for &place @ (i, j, _) in &direction.mass {
+            let change = entry("mass", place, (k, k))?;
+            force[i] -= &change * &self.g[j];
             if i != j {
-                force[j] -= exact(value) * &self.g[i];
+                force[j] -= change * &self.g[i];
             }
         }
         let moved = self.accelerated(&force);

@@ -5,7 +5,7 @@ use dashu_ratio::RBig;
 use super::active::Rows;
 use super::linear::{dot, solve};
 use super::motion::{Motion, MotionPullback};
-use super::{Gradient, Status, check, exact, failure};
+use super::{Gradient, Status, failure, numbers};
 use lcplab_lcp::error::Result;
 
 /// The gradient of Σ v_i x_i + Σ c_j u_j with respect to the data. If x is not unique, only
@@ -57,9 +57,8 @@ impl Gradient {
     /// derivative.
     pub fn pullback(&self, v: &[f64], c: Option<&[f64]>) -> Result<Pullback> {
         let n = self.rows.len();
-        check("v", v.len(), n)?;
-        let exact = |v: &[f64]| -> Vec<RBig> { v.iter().map(|&v| exact(v)).collect() };
-        let is_of_motion = self.is_of_motion() && v.iter().all(|&v| v == 0.0);
+        let v = numbers("v", v, n)?;
+        let is_of_motion = self.is_of_motion() && v.iter().all(|v| *v == RBig::ZERO);
         if self.status != Status::Differentiable && !is_of_motion {
             return Err(failure(self.refusal()));
         }
@@ -67,10 +66,10 @@ impl Gradient {
             (Err(why), Some(_)) => return Err(failure(why.clone())),
             (motion, _) => motion.as_ref().ok(),
         };
-        let c = c.map_or_else(|| vec![RBig::ZERO; motion.map_or(0, Motion::len)], exact);
-        check("c", c.len(), motion.map_or(0, Motion::len))?;
+        let k = motion.map_or(0, Motion::len);
+        let c = c.map_or_else(|| Ok(vec![RBig::ZERO; k]), |c| numbers("c", c, k))?;
         let through = motion.map_or_else(|| vec![RBig::ZERO; n], |motion| motion.of_rows(&c));
-        let seed: Vec<RBig> = exact(v).iter().zip(through).map(|(v, more)| v + more).collect();
+        let seed: Vec<RBig> = v.iter().zip(through).map(|(v, more)| v + more).collect();
         let whole = match &self.basis {
             Some((rows, basis)) => adjoint(rows, &seed, basis),
             None => adjoint(&self.rows, &seed, &self.rows.free()),

@@ -388,4 +388,9 @@ fn changes_that_leave_the_domain_are_refused() {
     };
     assert!(refused(friction(1.0, 0.5), &[0.0, 0.0], r#"{"lo": [1, 0]}"#).contains("open contact"));
     assert!(refused(friction(-1.0, 0.0), &[1.0, 0.0], r#"{"mu": [0, 1]}"#).contains("leaves 0"));
+    assert!(
+        refused(friction(-1.0, 0.5), &[1.0, -0.5], r#"{"A": [[0, 2, 1]]}"#)
+            .contains("within 2 × 2")
+    );
+    assert!(refused(friction(-1.0, 0.5), &[1.0, -0.5], r#"{"b": [1]}"#).contains("must have 2"));
 }
