@@ -29,7 +29,7 @@ This page is generated from the docstrings by `python python/reference.py`.
 
 #: The order of the page.
 NAMES = [
-    "solve", "Result", "judge", "Verdict", "solve_qp", "QPSolution", "solutions", "Solutions", "Face", "prove", "check", "Proof", "Problem", "compare", "Comparison", "hunt", "Finding", "explain",
+    "solve", "Result", "judge", "Verdict", "solve_qp", "QPSolution", "solutions", "Solutions", "Face", "gradient", "Gradient", "prove", "check", "Proof", "Problem", "compare", "Comparison", "hunt", "Finding", "explain",
     "Document", "Scene", "Step", "receipt", "Receipt", "receipts", "Run", "attribution", "Attribution", "EngineStep",
     "EngineRow", "solvers", "InputError",
 ]

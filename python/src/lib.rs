@@ -6,6 +6,7 @@
 
 mod arrays;
 mod callable;
+mod gradient;
 mod hunt;
 mod problem;
 mod proof;
@@ -34,10 +35,12 @@ fn _lcplab(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("InputError", module.py().get_type::<InputError>())?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<problem::Problem>()?;
+    module.add_class::<gradient::Gradient>()?;
     module.add_class::<scene::Scene>()?;
     module.add_class::<scene::SimulatedStep>()?;
     module.add_function(wrap_pyfunction!(scene::describe, module)?)?;
     module.add_function(wrap_pyfunction!(scene::describe_json, module)?)?;
+    module.add_function(wrap_pyfunction!(gradient::gradient, module)?)?;
     module.add_function(wrap_pyfunction!(solving::solve, module)?)?;
     module.add_function(wrap_pyfunction!(solving::judge, module)?)?;
     module.add_function(wrap_pyfunction!(solving::explain, module)?)?;

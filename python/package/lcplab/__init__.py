@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from lcplab._lcplab import InputError, __version__
 from lcplab import testing, textbook
 from lcplab._compare import Comparison, compare
+from lcplab._gradient import Gradient, gradient
 from lcplab._hunt import Finding, hunt
 from lcplab._problem import Problem
 from lcplab._proof import Proof, check, prove
@@ -50,6 +51,7 @@ __all__ = [
     "EngineStep",
     "Face",
     "Finding",
+    "Gradient",
     "InputError",
     "Problem",
     "Proof",
@@ -66,6 +68,7 @@ __all__ = [
     "check",
     "compare",
     "explain",
+    "gradient",
     "hunt",
     "judge",
     "prove",
