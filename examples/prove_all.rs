@@ -99,11 +99,18 @@ impl Tally {
         let mut result = kind.to_string();
         if self.model.is_some() {
             let claim = proof.as_ref().map(|proof| &proof.claim);
+            result += match claim {
+                Some(Claim::BodySolution { region, .. }) if region.bias_change > 0.0 => {
+                    ", changed bias"
+                }
+                _ => "",
+            };
             let size = answer.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
             result += match claim {
                 Some(
                     Claim::Solution { near: Some(Near { distance, .. }), .. }
-                    | Claim::ConeSolution { near: Some(Near { distance, .. }), .. },
+                    | Claim::ConeSolution { near: Some(Near { distance, .. }), .. }
+                    | Claim::BodySolution { near: Some(Near { distance, .. }), .. },
                 ) if *distance > CLOSE * size => ", farther than 1e-9",
                 _ => "",
             };

@@ -111,8 +111,8 @@ const lcpcheck = (() => {
     return [v < 0 ? -m : m, e];
   }
   // Integers and s: the numbers times 2^s.
-  function whole(values) {
-    const all = values.map(parts);
+  const whole = (values) => scaled(values.map(parts));
+  function scaled(all) {
     const s = all.reduce((most, [, e]) => Math.max(most, -e), 0);
     return [all.map(([m, e]) => m << BigInt(e + s)), BigInt(s)];
   }
@@ -355,6 +355,54 @@ const lcpcheck = (() => {
     }
   }
 
+  // The problem of the exact bodies, whose unknowns are x and then the motion u.
+  function augmented(p) {
+    need(p.motion !== null, "the problem says nothing of bodies");
+    const { mass, jacobian, bias, soft, target } = p.motion, n = p.n, k = target.length, width = n + k;
+    const rows = Array.from({ length: width }, () => new Map());
+    soft.forEach((v, i) => { if (v !== 0) rows[i].set(i, v); });
+    jacobian.forEach((row, i) => row.forEach(([j, v]) => { rows[i].set(n + j, v); rows[n + j].set(i, -v); }));
+    mass.forEach((row, i) => row.forEach(([j, v]) => { rows[n + i].set(n + j, v); rows[n + j].set(n + i, v); }));
+    // −Σ M u*: a sum of products as m 2^e.
+    const load = (row) => {
+      const terms = [...row].filter(([j]) => j >= n).map(([j, v]) => [parts(v), parts(target[j - n])]);
+      const [products, s] = scaled(terms.map(([v, u]) => [v[0] * u[0], v[1] + u[1]]));
+      return [-products.reduce((sum, m) => sum + m, 0n), -Number(s)];
+    };
+    const [B, sb] = scaled([...bias.map(parts), ...rows.slice(n).map(load)]);
+    const [values, sa] = whole(rows.flatMap((row) => [...row.values()]));
+    let next = 0;
+    const A = rows.map((row) => [...row.keys()].map((j) => [j, values[next++]]));
+    const extra = (list, v) => [...list, ...Array(k).fill(v)];
+    const others = [...p.others, ...Array.from({ length: k }, (_, j) => n + j)];
+    return { ...p, n: width, A, sa, B, sb, M: extra(p.M, 0n), L: extra(p.L, null), U: extra(p.U, null), owner: extra(p.owner, -1), others };
+  }
+
+  // The redundant rows of a proof: each depends on rows with w = 0 that are not redundant, up to a change of b.
+  function redundant(p, data, unknown, change) {
+    need(isObject(data), "redundant");
+    const row = (key) => {
+      need(/^(0|[1-9][0-9]*)$/.test(key), "a row");
+      return Number(key);
+    };
+    const isStill = (i) => unknown.has(i) && unknown.get(i)[0] === "still", rows = new Set(Object.keys(data).map(row));
+    for (const i of rows) {
+      const own = data[String(i)], sums = new Map();
+      need(isStill(i) && isObject(own) && has(own, String(i)), `the dependence of row ${i}`);
+      let total = 0n;
+      for (const key of Object.keys(own)) {
+        const j = row(key), f = integer(own[key]);
+        need(f !== 0n && (j === i || (isStill(j) && !rows.has(j))), `the dependence of row ${i} on row ${j}`);
+        total += f * p.B[j];
+        p.A[j].forEach(([column, a]) => sums.set(column, (sums.get(column) ?? 0n) + f * a));
+      }
+      need([...sums.values()].every((v) => v === 0n), `row ${i} does not depend on the others`);
+      const [m, e] = parts(change), most = binary([m * abs(integer(own[String(i)])), e + Number(p.sb)]);
+      need(abs(total) * most[1] <= most[0], `b of row ${i} does not depend on the others`);
+    }
+    return rows;
+  }
+
   // The box of a proof, which must contain a solution of a problem with cones: [center, radius, D],
   // the first two times D.
   function region(p, proof) {
@@ -380,10 +428,13 @@ const lcpcheck = (() => {
       unknown.set(n, [hasFriction && p.model === "associated-cone" ? "power" : "still", contact]);
       if (hasFriction) unknown.set(t1, ["limit", contact]).set(t2, ["parallel", contact]);
     }
+    const change = has(proof, "bias_change") ? size(proof.bias_change) : 0;
+    const fixed = redundant(p, has(proof, "redundant") ? proof.redundant : {}, unknown, change);
+    fixed.forEach((i) => unknown.delete(i));
     for (let i = 0; i < p.n; i++) {
       const isUnknown = unknown.has(i), end = states[i] === "lo" ? lo[i] : states[i] === "hi" ? hi[i] : 0n;
       need(isUnknown ? R[i] > 0n : R[i] === 0n, `the radius of row ${i}`);
-      need(isUnknown || (end !== null && X[i] * T === end * D), `the center of row ${i}`);
+      need(isUnknown || fixed.has(i) || (end !== null && X[i] * T === end * D), `the center of row ${i}`);
     }
     // w, and how much it changes in the box, times T D.
     const W = A.map((row, i) => row.reduce((sum, [j, a]) => sum + a * X[j], (p.B[i] << (S - p.sb)) * D));
@@ -414,12 +465,14 @@ const lcpcheck = (() => {
       add(t2, -W[t1] * T);
       return { f: (X[t1] * W[t2] - X[t2] * W[t1]) * T, own, q: (R[t1] * P[t2] + R[t2] * P[t1]) * T };
     });
+    // The nonzero derivatives of each unknown.
+    const columns = rows.map((j) => equations.flatMap(({ own }, k) => (own.get(j) ? [[k, own.get(j)]] : [])));
     list(proof.inverse, rows.length).forEach((row, at) => {
       const [C, e] = whole(list(row, rows.length).map(number)), one = (T * T * D) << e;
       let image = abs(total(C.map((c, k) => c * equations[k].f))) + 2n * total(C.map((c, k) => abs(c) * equations[k].q));
       rows.forEach((j, column) => {
         let rest = column === at ? one : 0n;
-        C.forEach((c, k) => { rest -= c * (equations[k].own.get(j) ?? 0n); });
+        columns[column].forEach(([k, v]) => { rest -= C[k] * v; });
         image += abs(rest) * R[j];
       });
       need(image < R[rows[at]] * one, `the box is not mapped into itself in row ${rows[at]}`);
@@ -623,10 +676,11 @@ const lcpcheck = (() => {
     return [S, G];
   }
 
-  const REGION = ["states", "center", "radius", "inverse"];
+  const REGION = ["states", "center", "radius", "inverse"], NEAR = ["answer", "distance"];
+  const REGIONS = [REGION, [...REGION, ...NEAR]].flatMap((keys) => [keys, [...keys, "redundant"]]);
   const KEYS = {
     "solution": [["x"], ["x", "answer", "distance"]], "unique": [["x", "by"]], "not-unique": [["x", "y"]],
-    "cone-solution": [REGION, [...REGION, "answer", "distance"]], "no-solution": [["tree"]], "within": [["answer", "residual"]],
+    "cone-solution": REGIONS, "body-solution": [...REGIONS, ...REGIONS.map((keys) => [...keys, "bias_change"])], "no-solution": [["tree"]], "within": [["answer", "residual"]],
     "motion": [["answer", "motion", "bound"]], "frozen-motion": [["answer", "motion", "bound"]],
   };
 
@@ -640,8 +694,9 @@ const lcpcheck = (() => {
     need(proof.problem === p.hash, "it is about another problem");
     const answer = has(proof, "answer") ? list(proof.answer, p.n).map(number) : null;
     const isLeaf = proof.kind === "no-solution" && hasKeys(proof.tree, ["d"]);
-    const isOfCone = ["solution", "cone-solution"].includes(proof.kind) && CONES.includes(model);
-    need(isLeaf || isOfCone || (BOXES.includes(model) && proof.kind !== "cone-solution"), `of ${model} this is no proof`);
+    const isRegion = ["cone-solution", "body-solution"].includes(proof.kind);
+    const isOfCone = (isRegion || proof.kind === "solution") && CONES.includes(model);
+    need(isLeaf || isOfCone || (BOXES.includes(model) && !isRegion), `of ${model} this is no proof`);
     const under = has(proof, "model") ? `, under the friction model ${model}` : "";
     return says(p, proof, answer) + under;
   }
@@ -667,8 +722,8 @@ const lcpcheck = (() => {
       need(rest[0] >= 0n && !less(times(rest, rest), product), "the motion shows a larger bound only");
       return `the motion of the answer is within ${proof.bound.value} of the exact one${isFrozen ? ", with frozen friction" : ""}`;
     }
-    const isRegion = proof.kind === "cone-solution";
-    const [x, R, D] = isRegion ? region(p, proof) : solution(p, proof.x).toSpliced(1, 0, null);
+    const isOfBodies = proof.kind === "body-solution", isRegion = isOfBodies || proof.kind === "cone-solution";
+    const [x, R, D] = isRegion ? region(isOfBodies ? augmented(p) : p, proof) : solution(p, proof.x).toSpliced(1, 0, null);
     if (proof.kind === "unique") {
       unique(p, proof.by);
       return "exactly one solution exists";
@@ -678,11 +733,13 @@ const lcpcheck = (() => {
       need(x.some((v, i) => v * E !== y[i] * D), "both solutions are one");
       return "two different solutions exist";
     }
-    if (answer === null) return "a solution exists";
+    const change = has(proof, "bias_change") ? `, with a bias that differs by at most ${proof.bias_change.value},` : "";
+    const exists = `a solution exists${isOfBodies ? " for the exact numbers of the bodies" : ""}${change}`;
+    if (answer === null) return exists;
     const [values, s] = whole([size(proof.distance), ...answer]), [distance, ...near] = values;
     const width = (i) => (R === null ? 0n : R[i] << s);
     need(near.every((v, i) => abs(v * D - (x[i] << s)) + width(i) <= distance * D), "the answer is farther away");
-    return `a solution exists within ${proof.distance.value} of the answer`;
+    return `${exists} within ${proof.distance.value} of the answer`;
   }
 
   const checked = (p, proofText) => {

@@ -9,6 +9,7 @@
 Exit code: 0 if every proof proves its claim, 1 if one is rejected, 2 if a problem cannot be read.
 """
 import hashlib, json, re, struct, sys
+from copy import copy
 from fractions import Fraction as Q
 from itertools import combinations
 from operator import mul
@@ -21,9 +22,10 @@ POLYGONS = {f"polygon-{k}" for k in range(4, 257, 4)}
 MODELS = {*BOXES, *CONES, *POLYGONS}
 PLANE = {*POLYGONS, "coupled-box", "coulomb-cone"}
 REGION = ("states", "center", "radius", "inverse")
+REGIONS = [{*REGION, *more, *near} for more in ((), ("redundant",)) for near in ((), ("answer", "distance"))]
 KEYS = {"solution": [{"x"}, {"x", "answer", "distance"}], "unique": [{"x", "by"}], "not-unique": [{"x", "y"}],
         "no-solution": [{"tree"}], "within": [{"answer", "residual"}],
-        "cone-solution": [{*REGION}, {*REGION, "answer", "distance"}],
+        "cone-solution": REGIONS, "body-solution": REGIONS + [{*keys, "bias_change"} for keys in REGIONS],
         "motion": [{"answer", "motion", "bound"}], "frozen-motion": [{"answer", "motion", "bound"}]}
 
 
@@ -257,15 +259,61 @@ class Problem:
                     unknown.update({t1: ("limit", contact), t2: ("parallel", contact)})
         return unknown
 
+    def augmented(self):
+        """The problem of the exact bodies, whose unknowns are x and the motion u; its numbers have another 2^s."""
+        need(hasattr(self, "motion"), "the problem says nothing of bodies")
+        mass, jacobian, bias, soft, target = self.motion
+        full, n, k = [dict(row) for row in mass], self.n, len(target)
+        for i, row in enumerate(mass):
+            for j, v in row.items():
+                full[j][i] = v
+        b = bias + [-sum([v * target[j] for j, v in row.items()], Q(0)) for row in full]
+        rows = [{**({i: soft[i]} if soft[i] else {}), **{n + j: v for j, v in row.items()}} for i, row in enumerate(jacobian)]
+        rows += [{n + j: v for j, v in row.items()} for row in full]
+        for i, row in enumerate(jacobian):
+            for j, v in row.items():
+                rows[n + j][i] = -v
+        other = copy(self)
+        numbers = [v for row in rows for v in row.values()] + b
+        other.s = max([self.s] + [v.denominator.bit_length() - 1 for v in numbers])
+        scaled = lambda v: v.numerator * (1 << other.s) // v.denominator
+        other.A, other.B = [[(j, scaled(v)) for j, v in row.items()] for row in rows], list(map(scaled, b))
+        more = other.s - self.s
+        other.mu = [m << more for m in self.mu] + [0] * k
+        other.ends = [tuple(None if end is None else end << more for end in ends) for ends in self.ends] + [(None, None)] * k
+        other.n, other.owner, other.others = n + k, self.owner + [None] * k, self.others + list(range(n, n + k))
+        return other
+
+    def redundant(self, data, unknown, change):
+        """Takes the redundant rows from the unknown ones: each must depend on rows that remain, up to a change of b."""
+        need(type(data) is dict, "redundant")
+        decimal = lambda key: need(re.fullmatch(r"0|[1-9][0-9]*", key) is not None, "a row") or int(key)
+        still = {i for i, (kind, _) in unknown.items() if kind == "still"}
+        rows = {decimal(key) for key in data}
+        need(rows <= still, "a redundant row without the equation w = 0")
+        for key, factors in data.items():
+            need(type(factors) is dict and key in factors, f"the dependence of row {key}")
+            total, sums = 0, {}
+            for own, value in factors.items():
+                j, f = decimal(own), integer(value)
+                need(f != 0 and (own == key or j in still and j not in rows), f"the dependence of row {key} on row {j}")
+                total += f * self.B[j]
+                for column, a in self.A[j]:
+                    sums[column] = sums.get(column, 0) + f * a
+            need(not any(sums.values()), f"row {key} does not depend on the others")
+            need(abs(total) <= (Q(change) * abs(integer(factors[key])) * (1 << self.s)), f"b of row {key} does not depend on the others")
+        return {i: equation for i, equation in unknown.items() if i not in rows}, rows
+
     def region(self, proof):
         """The box of a proof, which must contain a solution: center X and radii R times D."""
         states, (X, D), T = entries(proof["states"], self.n), self.point(proof["center"]), 1 << self.s
         R = [integer(r) << 2 * self.s for r in entries(proof["radius"], self.n)]
-        unknown = self.equations(states, X)
+        change = size(proof.get("bias_change", 0))
+        unknown, redundant = self.redundant(proof.get("redundant", {}), self.equations(states, X), change)
         for i in range(self.n):
             need(R[i] > 0 if i in unknown else R[i] == 0, f"the radius of row {i}")
             end = self.ends[i][states[i] == "hi"] if states[i] in ("lo", "hi") else 0
-            need(i in unknown or end is not None and X[i] << self.s == end * D, f"the center of row {i}")
+            need(i in unknown or i in redundant or end is not None and X[i] << self.s == end * D, f"the center of row {i}")
         # Times T D, like every w below; F and the curvature are times T^2 D^2, F' times T^2 D.
         W = [sum([a * X[j] for j, a in row]) + b * D for row, b in zip(self.A, self.B)]
         P = [sum([abs(a) * R[j] for j, a in row]) for row in self.A]
@@ -290,12 +338,12 @@ class Problem:
                 for j, a in self.A[k]:
                     own[j] = own.get(j, 0) + factor * a * T
             F, J, curved = F + [f], J + [[own.get(j, 0) for j in rows]], curved + [q]
-        columns = list(zip(*J))
+        columns = [[(k, v) for k, v in enumerate(column) if v] for column in zip(*J)]
         for k, (i, row) in enumerate(zip(rows, entries(proof["inverse"], len(rows)))):
             C, e = whole([number(v) for v in entries(row, len(rows))])
             image = abs(sum(map(mul, C, F))) + 2 * sum(map(mul, map(abs, C), curved))
             for m, column in enumerate(columns):
-                rest = (T * T * D << e if m == k else 0) - sum(map(mul, C, column))
+                rest = (T * T * D << e if m == k else 0) - sum([C[l] * v for l, v in column])
                 image += abs(rest) * R[rows[m]]
             need(image < R[i] * T * T * D << e, f"the box is not mapped into itself in row {i}")
         for i in self.others:
@@ -458,8 +506,9 @@ def check(problem, proof):
     need(proof.get("model", "coupled-box") == problem.model, f"it is about another model than the problem's, {problem.model}")
     need(proof.get("problem") == problem.hash, "it is about another problem")
     is_leaf = kind == "no-solution" and type(proof["tree"]) is dict and set(proof["tree"]) == {"d"}
-    of_cone = kind in ("solution", "cone-solution") and problem.model in CONES
-    need(is_leaf or of_cone or problem.model in BOXES and kind != "cone-solution", f"of {problem.model} this is no proof")
+    is_region = kind in ("cone-solution", "body-solution")
+    of_cone = (is_region or kind == "solution") and problem.model in CONES
+    need(is_leaf or of_cone or problem.model in BOXES and not is_region, f"of {problem.model} this is no proof")
     answer = [number(v) for v in entries(proof["answer"], problem.n)] if "answer" in proof else None
     if kind == "no-solution":
         problem.tree(proof["tree"], {})
@@ -477,8 +526,8 @@ def check(problem, proof):
         rest = Q(bound) ** 2 - S - G
         need(rest >= 0 and 4 * S * G <= rest ** 2, "the motion shows a larger bound only")
         return f"the motion of the answer is within {bound} of the exact one" + ", with frozen friction" * (kind != "motion")
-    if kind == "cone-solution":
-        X, R, D = problem.region(proof)
+    if is_region:
+        X, R, D = (problem if kind == "cone-solution" else problem.augmented()).region(proof)
     else:
         (X, D), R = problem.solution(proof["x"]), [0] * problem.n
     if kind == "unique":
@@ -488,12 +537,15 @@ def check(problem, proof):
         Y, E = problem.solution(proof["y"])
         need(any(x * E != y * D for x, y in zip(X, Y)), "both solutions are one")
         return "two different solutions exist"
+    exists = "a solution exists" + " for the exact numbers of the bodies" * (kind == "body-solution")
+    if "bias_change" in proof:
+        exists += f", with a bias that differs by at most {size(proof['bias_change'])},"
     if answer is None:
-        return "a solution exists"
+        return exists
     distance, (near, s) = size(proof["distance"]), whole(answer)
     p, q = distance.as_integer_ratio()
     need(all((abs(v * D - (x << s)) + (r << s)) * q <= p * D << s for v, x, r in zip(near, X, R)), "the answer is farther away")
-    return f"a solution exists within {distance} of the answer"
+    return f"{exists} within {distance} of the answer"
 
 
 WRONG = (Refused, OSError, ValueError, LookupError, ArithmeticError, TypeError, AttributeError, RecursionError)

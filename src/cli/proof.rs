@@ -29,8 +29,8 @@ Examples:
   lcplab prove game.json --all            # every solution of a small problem
   lcplab prove transport.json plan_a.json plan_b.json   # two known answers: the solution is not unique
 
-From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, cone-solution, motion, \
-within. \
+From the strongest to the weakest the kinds are no-solution, unique, not-unique, solution, cone-solution, \
+body-solution, motion, within. \
 The first kind that can be proved is written; for each stronger kind the output says why it was not proved. \
 For a problem of up to 24 rows, lcplab also searches all active sets for a second solution, within about half a minute; \
 the output says whether there is one. \
@@ -38,7 +38,7 @@ With two answers, it proves not-unique from both. \
 With --all, lcplab lists all solutions, up to 1,024, of a problem of up to 19 rows if each has one finite bound, or of up to 12 \
 rows if they have two. \
 docs/proofs.md says what each kind proves. Most proofs are about boxes: under a friction cone, no-solution, \
-solution and cone-solution can be proved, under a polygon only no-solution (although the judge can prove an answer under a polygon).
+solution, cone-solution and body-solution can be proved, under a polygon only no-solution (although the judge can prove an answer under a polygon).
 
 Exit codes:
   0  a proof was written; with --all, there is a solution

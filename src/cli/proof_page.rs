@@ -100,6 +100,7 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
             tree.leaves()
         ))],
         Claim::ConeSolution { .. }
+        | Claim::BodySolution { .. }
         | Claim::Motion(_)
         | Claim::FrozenMotion(_)
         | Claim::Within { .. } => Vec::new(),

@@ -29,13 +29,16 @@
 
 mod definition;
 mod enclosure;
+mod inside;
 mod newton;
 mod proof;
+mod redundant;
 mod state;
 mod system;
 
 pub use enclosure::Enclosure;
-pub use proof::{ConeProof, cone_proof};
+pub use proof::{ConeProof, cone_body_proof, cone_proof};
+pub use redundant::Dependence;
 pub use state::RowState;
 
 use super::neighbor;

@@ -50,7 +50,10 @@ pub mod uniqueness;
 mod verdict;
 
 pub use certificate::{Certificate, Evidence};
-pub use cone::{ConeCertificate, ConeProof, Enclosure, RowState, cone_proof, judge_cone};
+pub use cone::{
+    ConeCertificate, ConeProof, Dependence, Enclosure, RowState, cone_body_proof, cone_proof,
+    judge_cone,
+};
 pub use friction::{FrictionCertificate, judge_friction};
 pub use refutation::{Refutation, refutation, refuted_by, refuting_vector};
 pub use verdict::{Refusal, Verdict, printed_up, upper_bound};

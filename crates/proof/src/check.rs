@@ -54,22 +54,35 @@ pub fn check(question: &Question, proof: &Proof) -> Result<(), String> {
         None => match (question.posed(), &proof.claim) {
             (
                 ProblemForm::Cone(problem),
-                claim @ (Claim::Solution { .. } | Claim::ConeSolution { .. }),
-            ) => of_cones(problem, rows(question), claim),
+                claim @ (Claim::Solution { .. }
+                | Claim::ConeSolution { .. }
+                | Claim::BodySolution { .. }),
+            ) => of_cones(problem, rows(question), question.problem().motion.as_ref(), claim),
             (_, claim) => of_any_model(rows(question), own, claim),
         },
     }
 }
 
 /// Checks the claim that a problem with friction cones has a solution.
-fn of_cones(problem: &ConeProblem, rows: &Lcp, claim: &Claim) -> Result<(), String> {
+fn of_cones(
+    problem: &ConeProblem,
+    rows: &Lcp,
+    bodies: Option<&Gauss>,
+    claim: &Claim,
+) -> Result<(), String> {
     match claim {
         Claim::Solution { x, near } => {
             let point = point(rows, x)?;
             ConeProof::Point(point.clone()).check(problem)?;
             near.as_ref().map_or(Ok(()), |near| is_near(&point, near))
         }
-        Claim::ConeSolution { region, near } => cone::check(problem, rows, region, near.as_ref()),
+        Claim::ConeSolution { region, near } => {
+            cone::check(problem, rows, None, region, near.as_ref())
+        }
+        Claim::BodySolution { region, near } => {
+            let bodies = Some(bodies.ok_or(NO_BODIES)?);
+            cone::check(problem, rows, bodies, region, near.as_ref())
+        }
         _ => Err("the claim is none about friction cones".into()),
     }
 }
@@ -81,7 +94,7 @@ fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), Stri
             let point = solution(lcp, x)?;
             near.as_ref().map_or(Ok(()), |near| is_near(&point, near))
         }
-        Claim::ConeSolution { .. } => Err(about_cones()),
+        Claim::ConeSolution { .. } | Claim::BodySolution { .. } => Err(about_cones()),
         Claim::Unique { x, by } => {
             solution(lcp, x)?;
             is_unique(lcp, *by)
@@ -122,7 +135,7 @@ fn of_any_model(rows: &Lcp, model: Model, claim: &Claim) -> Result<(), String> {
         Claim::NoSolution { tree: Tree::Branch { .. } } => Err(format!(
             "the cases of a tree are sides of boxes, but the problem's model is {model}"
         )),
-        Claim::ConeSolution { .. } => Err(about_cones()),
+        Claim::ConeSolution { .. } | Claim::BodySolution { .. } => Err(about_cones()),
         claim => Err(about_boxes(claim.kind(), model)),
     }
 }
@@ -132,9 +145,9 @@ pub(crate) fn about_boxes(kind: Kind, model: Model) -> String {
     format!("proofs of the kind {kind} are about boxes, but the problem's model is {model}")
 }
 
-/// Why a model other than a cone has no proofs of the kind `cone-solution`.
+/// Why a model other than a cone has no proofs of the kinds `cone-solution` and `body-solution`.
 pub(crate) fn about_cones() -> String {
-    "proofs of the kind cone-solution are about friction cones".into()
+    "proofs of the kinds cone-solution and body-solution are about friction cones".into()
 }
 
 fn has_rows(lcp: &Lcp, entries: usize) -> Result<(), String> {

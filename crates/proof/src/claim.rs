@@ -8,7 +8,7 @@ use dashu_int::ops::Gcd;
 use dashu_ratio::RBig;
 
 use lcplab_judge::cases::Tree;
-use lcplab_judge::{RowState, upper_bound};
+use lcplab_judge::{Dependence, RowState, upper_bound};
 use lcplab_lcp::error::Error;
 use lcplab_lcp::friction::Model;
 
@@ -74,6 +74,13 @@ pub enum Claim {
         /// A floating-point answer and its distance from every point of the box.
         near: Option<Near>,
     },
+    /// The same for the exact numbers of the bodies; the last entries of the box are the motion.
+    BodySolution {
+        /// The box.
+        region: Region,
+        /// A floating-point answer and its distance from every x of the box.
+        near: Option<Near>,
+    },
     /// x is the only solution.
     Unique {
         /// The solution.
@@ -112,6 +119,7 @@ impl Claim {
         match self {
             Claim::Solution { .. } => Kind::Solution,
             Claim::ConeSolution { .. } => Kind::ConeSolution,
+            Claim::BodySolution { .. } => Kind::BodySolution,
             Claim::Unique { .. } => Kind::Unique,
             Claim::NotUnique { .. } => Kind::NotUnique,
             Claim::NoSolution { .. } => Kind::NoSolution,
@@ -134,6 +142,20 @@ impl Claim {
             }
             Claim::Solution { near: None, .. } | Claim::ConeSolution { near: None, .. } => {
                 "an exact solution exists".into()
+            }
+            Claim::BodySolution { region, near } => {
+                let change = match region.bias_change {
+                    0.0 => String::new(),
+                    change => {
+                        format!(", with a bias that differs by at most {}", upper_bound(change))
+                    }
+                };
+                let near = near.as_ref().map_or(String::new(), |near| {
+                    format!(", and the answer lies within {} of it", upper_bound(near.distance))
+                });
+                format!(
+                    "an exact solution exists for the exact numbers of the bodies{change}{near}"
+                )
             }
             Claim::Unique { .. } => "exactly one solution exists".into(),
             Claim::NotUnique { .. } => "two different solutions exist".into(),
@@ -173,6 +195,8 @@ pub enum Kind {
     Solution,
     /// There is a solution of a problem with friction cones, in a box.
     ConeSolution,
+    /// There is a solution for the exact numbers of the bodies, in a box.
+    BodySolution,
     /// A bound on the motion of an answer.
     Motion,
     /// The residual of an answer.
@@ -184,12 +208,13 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, strongest first.
-    pub const ALL: [Kind; 8] = [
+    pub const ALL: [Kind; 9] = [
         Kind::NoSolution,
         Kind::Unique,
         Kind::NotUnique,
         Kind::Solution,
         Kind::ConeSolution,
+        Kind::BodySolution,
         Kind::Motion,
         Kind::Within,
         Kind::FrozenMotion,
@@ -203,6 +228,7 @@ impl Kind {
             Kind::NotUnique => "not-unique",
             Kind::Solution => "solution",
             Kind::ConeSolution => "cone-solution",
+            Kind::BodySolution => "body-solution",
             Kind::Motion => "motion",
             Kind::Within => "within",
             Kind::FrozenMotion => "frozen-motion",
@@ -287,6 +313,11 @@ pub fn over_one_denominator(x: &[RBig]) -> (Vec<IBig>, IBig) {
 pub struct Region {
     /// The state of each row.
     pub states: Vec<RowState>,
+    /// The equations w = 0 that follow from others.
+    pub redundant: Vec<Dependence>,
+    /// How much the bias of redundant rows may differ from that of the bodies; finite and
+    /// nonnegative.
+    pub bias_change: f64,
     /// The center.
     pub center: Vector,
     /// The half-width of each row times the denominator of the center, never negative.

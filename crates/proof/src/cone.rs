@@ -2,35 +2,44 @@
 
 use dashu_int::IBig;
 
-use lcplab_judge::{ConeProof, Enclosure, RowState, cone_proof};
-use lcplab_lcp::Lcp;
+use lcplab_judge::{ConeProof, Enclosure, RowState, cone_body_proof, cone_proof};
+use lcplab_lcp::exact::Point;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, whole};
 use lcplab_lcp::friction::ConeProblem;
+use lcplab_lcp::{Gauss, Lcp};
 
 use crate::check::point;
 use crate::claim::{Claim, Entry, Kind, Near, Region, Vector};
+use crate::motion::NO_BODIES;
 
 /// With more rows no solution is searched for: its test takes minutes.
 const MOST_ROWS: usize = 200;
 
-/// Checks that a box contains a solution, and that the answer is near enough.
+/// Checks that a box contains a solution, for the exact numbers of the bodies if these are given,
+/// and that the answer is near enough.
 ///
 /// # Errors
 /// Why the box proves nothing.
 pub fn check(
     problem: &ConeProblem,
     rows: &Lcp,
+    bodies: Option<&Gauss>,
     region: &Region,
     near: Option<&Near>,
 ) -> Result<(), String> {
-    let Region { states, center, radius, inverse } = region;
+    let Region { states, redundant, bias_change, center, radius, inverse } = region;
     let enclosure = Enclosure {
         states: states.clone(),
-        center: point(rows, center)?,
+        redundant: redundant.clone(),
+        bias_change: *bias_change,
+        center: with_motion(rows, bodies.map_or(0, |bodies| bodies.target.len()), center)?,
         radius: radius.iter().map(|radius| whole(radius.clone())).collect(),
         inverse: inverse.clone(),
     };
-    enclosure.check(problem)?;
+    match bodies {
+        Some(bodies) => enclosure.check_bodies(problem, bodies)?,
+        None => enclosure.check(problem)?,
+    }
     match near {
         Some(near) if near.answer.len() != rows.len() => {
             Err(format!("the answer has {} entries", near.answer.len()))
@@ -40,6 +49,51 @@ pub fn check(
         }
         _ => Ok(()),
     }
+}
+
+/// The point of a vector whose last entries are those of a motion.
+fn with_motion(rows: &Lcp, motion: usize, center: &Vector) -> Result<Point, String> {
+    let n = rows.len();
+    if center.entries.len() != n + motion {
+        return Err(format!("the center must have {} entries", n + motion));
+    }
+    let (of_x, of_u) = center.entries.split_at(n);
+    let denominator = center.denominator.clone();
+    let x = point(rows, &Vector { denominator, entries: of_x.to_vec() })?;
+    let u = of_u.iter().map(|entry| match entry {
+        Entry::Numerator(numerator) => Ok(whole(numerator.clone())),
+        Entry::Lo | Entry::Hi => Err("a motion has no bounds".to_string()),
+    });
+    let x = (0..n).map(|i| Ok(x.scaled(i).clone()));
+    Ok(Point::new(x.chain(u).collect::<Result<_, String>>()?, whole(center.denominator.clone())))
+}
+
+/// A claim of the kind `body-solution`.
+///
+/// # Errors
+/// Why there is none.
+pub fn search_bodies(
+    problem: &ConeProblem,
+    bodies: Option<&Gauss>,
+    answer: &[f64],
+) -> Result<Claim, String> {
+    let bodies = bodies.ok_or(NO_BODIES)?;
+    is_possible(answer)?;
+    let enclosure = cone_body_proof(problem, bodies, answer)
+        .ok_or("no exact solution was found from the states of the contacts in the answer")?;
+    let distance = enclosure.distance(answer);
+    let near = distance.is_finite().then(|| Near { answer: answer.to_vec(), distance });
+    Ok(Claim::BodySolution { region: region(enclosure), near })
+}
+
+fn is_possible(answer: &[f64]) -> Result<(), String> {
+    if answer.len() > MOST_ROWS {
+        return Err(format!("{} rows are too many: at most {MOST_ROWS} are tried", answer.len()));
+    }
+    if !answer.iter().all(|x| x.is_finite()) {
+        return Err("the answer is not finite".into());
+    }
+    Ok(())
 }
 
 /// A claim of one of the kinds `solution` and `cone-solution`.
@@ -52,12 +106,7 @@ pub fn search(
     kind: Kind,
     vector: impl FnOnce(&[dashu_ratio::RBig]) -> Vector,
 ) -> Result<Claim, String> {
-    if answer.len() > MOST_ROWS {
-        return Err(format!("{} rows are too many: at most {MOST_ROWS} are tried", answer.len()));
-    }
-    if !answer.iter().all(|x| x.is_finite()) {
-        return Err("the answer is not finite".into());
-    }
+    is_possible(answer)?;
     let proof = cone_proof(problem, answer, None)
         .ok_or("no exact solution was found from the states of the contacts in the answer")?;
     let distance = proof.distance(answer);
@@ -80,7 +129,7 @@ pub fn search(
 
 /// A box as integers over a common power of two.
 fn region(enclosure: Enclosure) -> Region {
-    let Enclosure { states, center, radius, inverse } = enclosure;
+    let Enclosure { states, redundant, bias_change, center, radius, inverse } = enclosure;
     let is_bound = |i: usize| matches!(states[i], RowState::Lower | RowState::Upper);
     let numbers = (0..states.len()).filter(|&i| !is_bound(i)).map(|i| center.scaled(i));
     let nonzero = numbers.chain(&radius).filter(|x| **x != Dyadic::ZERO);
@@ -94,5 +143,6 @@ fn region(enclosure: Enclosure) -> Region {
     let entries = (0..states.len()).map(entry).collect();
     let denominator = integer(&dyadic(1.0));
     let radius = radius.iter().map(integer).collect();
-    Region { center: Vector { denominator, entries }, radius, states, inverse }
+    let center = Vector { denominator, entries };
+    Region { states, redundant, bias_change, center, radius, inverse }
 }

@@ -3,8 +3,8 @@
 use dashu_int::IBig;
 use serde_json::{Map, Value, json};
 
-use lcplab_judge::RowState;
 use lcplab_judge::cases::Tree;
+use lcplab_judge::{Dependence, RowState};
 use lcplab_lcp::error::{Error, Result};
 use lcplab_lcp::friction::Model;
 use lcplab_lcp::json::parse;
@@ -34,7 +34,7 @@ impl Proof {
                 ("answer", json!(near.answer)),
                 ("distance", json!(near.distance)),
             ],
-            Claim::ConeSolution { region, near } => {
+            Claim::ConeSolution { region, near } | Claim::BodySolution { region, near } => {
                 let near = near.iter().flat_map(|near| {
                     [("answer", json!(near.answer)), ("distance", json!(near.distance))]
                 });
@@ -95,18 +95,31 @@ fn point(x: &Vector) -> Value {
     json!({ "denominator": hex(&x.denominator), "numerators": numerators })
 }
 
-fn region_parts(region: &Region) -> [(&'static str, Value); 4] {
+fn region_parts(region: &Region) -> Vec<(&'static str, Value)> {
     let name = |state: &RowState| {
         RowState::NAMES.iter().find(|(own, _)| own == state).map(|(_, name)| *name)
     };
     let states: Vec<_> = region.states.iter().filter_map(name).collect();
     let radius: Vec<String> = region.radius.iter().map(hex).collect();
-    [
+    let mut parts = vec![
         ("states", json!(states)),
         ("center", point(&region.center)),
         ("radius", json!(radius)),
         ("inverse", json!(region.inverse)),
-    ]
+    ];
+    if !region.redundant.is_empty() {
+        let dependence = |own: &Dependence| (own.row.to_string(), integers(&own.factors));
+        parts.push(("redundant", Map::from_iter(region.redundant.iter().map(dependence)).into()));
+    }
+    if region.bias_change > 0.0 {
+        parts.push(("bias_change", json!(region.bias_change)));
+    }
+    parts
+}
+
+/// Integers with their rows.
+fn integers(entries: &[(usize, IBig)]) -> Value {
+    Map::from_iter(entries.iter().map(|(i, value)| (i.to_string(), json!(hex(value))))).into()
 }
 
 fn motion(motion: &Motion) -> Value {
@@ -116,10 +129,7 @@ fn motion(motion: &Motion) -> Value {
 
 fn branches(tree: &Tree) -> Value {
     match tree {
-        Tree::Leaf(d) => {
-            let entries = d.iter().map(|(i, d)| (i.to_string(), json!(hex(d))));
-            json!({ "d": Map::from_iter(entries) })
-        }
+        Tree::Leaf(d) => json!({ "d": integers(d) }),
         Tree::Branch { row, lo, free, hi } => {
             let mut object = Map::new();
             object.insert("row".into(), json!(row));
@@ -167,12 +177,16 @@ fn read(value: &Value) -> Read<Proof> {
             own(&["x"])?;
             Claim::Solution { x: read_point(object, "x")?, near: None }
         }
-        "cone-solution" => {
+        kind @ ("cone-solution" | "body-solution") => {
             let region = read_region(object)?;
             let is_near = object.contains_key("answer") || object.contains_key("distance");
-            own(if is_near { &REGION_NEAR } else { &REGION_NEAR[..4] })?;
+            let most = if kind == "body-solution" { &REGION[..] } else { &REGION[..5] };
+            own(&[most, if is_near { &["answer", "distance"] } else { &[] }].concat())?;
             let near = if is_near { Some(read_near(object)?) } else { None };
-            Claim::ConeSolution { region, near }
+            match kind {
+                "cone-solution" => Claim::ConeSolution { region, near },
+                _ => Claim::BodySolution { region, near },
+            }
         }
         "unique" => {
             own(&["x", "by"])?;
@@ -212,8 +226,8 @@ fn read_near(object: &Map<String, Value>) -> Read<Near> {
     Ok(Near { answer: numbers(object, "answer")?, distance: size(object, "distance")? })
 }
 
-/// The keys of the kind `cone-solution`; the last two are optional.
-const REGION_NEAR: [&str; 6] = ["states", "center", "radius", "inverse", "answer", "distance"];
+/// The keys of a box; the last two are optional, and the last one belongs to `body-solution` only.
+const REGION: [&str; 6] = ["states", "center", "radius", "inverse", "redundant", "bias_change"];
 
 fn read_region(object: &Map<String, Value>) -> Read<Region> {
     let list = |key: &str| match object.get(key) {
@@ -225,7 +239,25 @@ fn read_region(object: &Map<String, Value>) -> Read<Region> {
         let own = RowState::NAMES.iter().find(|(_, own)| Some(*own) == name);
         own.map_or_else(|| wrong("states", "has an unknown state"), |(state, _)| Ok(*state))
     };
+    let redundant = match object.get("redundant") {
+        None => Vec::new(),
+        Some(_) => part(object, "redundant")?
+            .iter()
+            .map(|(row, factors)| {
+                let Value::Object(factors) = factors else {
+                    return wrong("redundant", "must consist of objects");
+                };
+                Ok(Dependence {
+                    row: index(row, "redundant")?,
+                    factors: read_integers(factors, "redundant")?,
+                })
+            })
+            .collect::<Read<_>>()?,
+    };
+    let has_change = object.contains_key("bias_change");
     Ok(Region {
+        redundant,
+        bias_change: if has_change { size(object, "bias_change")? } else { 0.0 },
         states: list("states")?.iter().map(state).collect::<Read<_>>()?,
         center: read_point(object, "center")?,
         radius: list("radius")?
@@ -296,8 +328,7 @@ fn read_tree(value: Option<&Value>, left: usize) -> Read<Tree> {
     let Some(Value::Object(object)) = value else { return wrong("tree", "must be an object") };
     if object.contains_key("d") {
         only(object, &["d"], "tree")?;
-        let entry = |(row, d): (&String, &Value)| Ok((index(row)?, integer(Some(d), "tree")?));
-        return Ok(Tree::Leaf(part(object, "d")?.iter().map(entry).collect::<Read<_>>()?));
+        return Ok(Tree::Leaf(read_integers(part(object, "d")?, "tree")?));
     }
     only(object, &["row", "lo", "free", "hi"], "tree")?;
     let row = object.get("row").and_then(Value::as_u64);
@@ -315,11 +346,16 @@ fn read_tree(value: Option<&Value>, left: usize) -> Read<Tree> {
     Ok(Tree::Branch { row, lo: side("lo")?, free, hi: side("hi")? })
 }
 
+/// Integers with their rows, of an object whose keys are row numbers.
+fn read_integers(object: &Map<String, Value>, key: &str) -> Read<Vec<(usize, IBig)>> {
+    object.iter().map(|(row, value)| Ok((index(row, key)?, integer(Some(value), key)?))).collect()
+}
+
 /// Parses a key that is a row number.
-fn index(text: &str) -> Read<usize> {
+fn index(text: &str, key: &str) -> Read<usize> {
     match text.parse::<usize>() {
         Ok(row) if row.to_string() == text => Ok(row),
-        _ => wrong("tree", format!("has the row {text:?}")),
+        _ => wrong(key, format!("has the row {text:?}")),
     }
 }
 

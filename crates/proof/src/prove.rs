@@ -60,8 +60,8 @@ impl ProofSearch {
 
 /// Searches for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `motion`,
 /// `within`, in this order, starting from the answer. Under a polygon only `no-solution` is
-/// possible, by a vector that proves it for every model; under a cone also `solution` and
-/// `cone-solution`.
+/// possible, by a vector that proves it for every model; under a cone also `solution`,
+/// `cone-solution` and `body-solution`.
 ///
 /// ```
 /// use lcplab_lcp::file::Problem;
@@ -84,7 +84,7 @@ pub fn prove(question: &Question, answer: &[f64]) -> ProofSearch {
     let mut missing = Vec::new();
     let is_cone = matches!(question.posed(), ProblemForm::Cone(_));
     let is_tried = |kind: &Kind| match kind {
-        Kind::ConeSolution => is_cone,
+        Kind::ConeSolution | Kind::BodySolution => is_cone,
         kind => *kind != Kind::FrozenMotion,
     };
     for kind in Kind::ALL.into_iter().filter(is_tried) {
@@ -207,6 +207,10 @@ impl<'a> Prover<'a> {
                 (ProblemForm::Cone(problem), Kind::Solution | Kind::ConeSolution) => {
                     cone::search(problem, self.answer, kind, |x| vector(rows(self.question), x))?
                 }
+                (ProblemForm::Cone(problem), Kind::BodySolution) => {
+                    let bodies = self.question.problem().motion.as_ref();
+                    cone::search_bodies(problem, bodies, self.answer)?
+                }
                 _ => self.of_any_model(kind)?,
             },
         };
@@ -224,7 +228,7 @@ impl<'a> Prover<'a> {
 
     /// A claim that is valid under every friction model.
     fn of_any_model(&self, kind: Kind) -> Result<Claim, String> {
-        if kind == Kind::ConeSolution {
+        if matches!(kind, Kind::ConeSolution | Kind::BodySolution) {
             return Err(about_cones());
         }
         if kind != Kind::NoSolution {
@@ -260,7 +264,7 @@ impl<'a> Prover<'a> {
                 let x = &self.solution(lcp)?.x;
                 Ok(Claim::Solution { x: vector(lcp, x), near: near(answer, x) })
             }
-            Kind::ConeSolution => Err(about_cones()),
+            Kind::ConeSolution | Kind::BodySolution => Err(about_cones()),
             Kind::Motion if lcp.has_coupled_rows() => {
                 Err("rows are coupled: the LCP is then not equivalent to a minimization; try the kind frozen-motion".into())
             }

@@ -18,8 +18,8 @@ class Proof:
     Attributes
     ----------
     kind : str or None
-        ``"no-solution"``, ``"unique"``, ``"not-unique"``, ``"solution"``, ``"cone-solution"``, ``"motion"``,
-        ``"within"`` or ``"frozen-motion"``.
+        ``"no-solution"``, ``"unique"``, ``"not-unique"``, ``"solution"``, ``"cone-solution"``,
+        ``"body-solution"``, ``"motion"``, ``"within"`` or ``"frozen-motion"``.
     claim : str
         The statement as a sentence.
     missing : dict

@@ -14,20 +14,29 @@
 
 use dashu_int::ops::Abs;
 
+use super::redundant::{self, Dependence};
 use super::state::RowState;
 use super::system::{AtPoint, Numbers, System};
+use lcplab_lcp::Gauss;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, rational};
 use lcplab_lcp::exact::{Point, rounded_up};
 use lcplab_lcp::friction::ConeProblem;
 
-/// A box that contains exactly one solution with these states.
+/// A box that contains exactly one solution with these states and, if rows are redundant, with
+/// their x.
 #[derive(Debug, Clone)]
 pub struct Enclosure {
     /// The state of each row.
     pub states: Vec<RowState>,
+    /// The equations w_i = 0 that follow from others; their rows have the x of the center.
+    pub redundant: Vec<Dependence>,
+    /// The solution is one for a bias that differs from that of the bodies by at most this in each
+    /// redundant row, in the unit of w: rounding can make the bias of redundant rows inconsistent.
+    /// 0 if the problem is that of A and b.
+    pub bias_change: f64,
     /// c.
     pub center: Point,
-    /// r times the denominator of c: one entry per row, 0 in rows whose x the states determine.
+    /// r times the denominator of c: one entry per row, 0 in rows whose x is given.
     pub radius: Vec<Dyadic>,
     /// C: an approximate inverse of F'(c), one row and one column per unknown.
     pub inverse: Vec<Vec<f64>>,
@@ -39,8 +48,25 @@ impl Enclosure {
     /// # Errors
     /// Why that is not shown.
     pub fn check(&self, problem: &ConeProblem) -> Result<(), String> {
-        let numbers = Numbers::of(problem);
-        let system = System::new(problem, &numbers, self.states.clone())?;
+        match self.bias_change {
+            0.0 => self.check_numbers(problem, &Numbers::of(problem)),
+            _ => Err("the bias may change only if the box is about bodies".into()),
+        }
+    }
+
+    /// Checks that the box contains exactly one solution for the exact numbers of the bodies, up to
+    /// the change of the bias: its first entries are those of x, the others those of the motion u.
+    ///
+    /// # Errors
+    /// Why that is not shown.
+    pub fn check_bodies(&self, problem: &ConeProblem, bodies: &Gauss) -> Result<(), String> {
+        self.check_numbers(problem, &Numbers::of_bodies(problem, bodies))
+    }
+
+    fn check_numbers(&self, problem: &ConeProblem, numbers: &Numbers) -> Result<(), String> {
+        let system = System::new(problem, numbers, self.states.clone())?;
+        let redundant = redundant::check(&system, &self.redundant, self.bias_change)?;
+        let system = system.without(&redundant);
         let n = self.states.len();
         if self.center.len() != n || self.radius.len() != n {
             return Err(format!("the box does not have {n} entries"));
@@ -49,7 +75,7 @@ impl Enclosure {
         let d = self.center.denominator();
         for i in 0..n {
             let given = system.given(i);
-            if given.is_some() != (self.radius[i] == Dyadic::ZERO) {
+            if system.is_unknown(i) == (self.radius[i] == Dyadic::ZERO) {
                 return Err(format!("the radius of row {i} does not belong to its state"));
             }
             if given.is_some_and(|given| given * d != x[i]) || self.radius[i] < Dyadic::ZERO {

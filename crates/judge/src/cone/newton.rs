@@ -7,6 +7,7 @@
 use dashu_int::ops::Abs;
 
 use super::enclosure::{Enclosure, Krawczyk};
+use super::redundant::{Dependence, largest_offset};
 use super::system::System;
 use lcplab_lcp::exact::Point;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, exponent, floor};
@@ -23,7 +24,8 @@ const MOST_STALLS: usize = 3;
 /// The radius is doubled at most this often.
 const MOST_GROWTHS: usize = 60;
 
-/// The zero of the system near x, to the last digit; x has one entry per row. `None` if the steps
+/// The zero of the system near x, to the last digit; x has one entry per row, and redundant rows
+/// keep theirs. `None` if the steps
 /// do not become shorter, or if they lead farther from x than the bounds.
 pub(super) fn center(system: &System<'_>, x: &[f64], bounds: Option<&[f64]>) -> Option<Center> {
     let one = dyadic(1.0);
@@ -73,7 +75,8 @@ impl Center {
     /// A box around the center that its map contracts, whether or not the inequalities hold; `None`
     /// if it would be larger than x: the bound of the image is quadratic in the radius, and from
     /// there on each round doubles the digits.
-    pub fn enclosure(self, system: &System<'_>) -> Option<Enclosure> {
+    pub fn enclosure(self, system: &System<'_>, redundant: Vec<Dependence>) -> Option<Enclosure> {
+        let bias_change = largest_offset(system, &redundant);
         let one = dyadic(1.0);
         let at = system.at(&self.x, &one);
         let test = Krawczyk::new(system, &at, &self.inverse);
@@ -95,7 +98,8 @@ impl Center {
             if is_inside {
                 let center = Point::new(self.x, one);
                 let states = system.states().to_vec();
-                return Some(Enclosure { states, center, radius, inverse: self.inverse });
+                let inverse = self.inverse;
+                return Some(Enclosure { states, redundant, bias_change, center, radius, inverse });
             }
         }
         None
@@ -154,7 +158,7 @@ impl Scaled {
 }
 
 /// Gauss-Jordan elimination with row exchanges; `None` if a pivot is 0 or not finite.
-fn inverse(mut a: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
+pub(super) fn inverse(mut a: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
     let n = a.len();
     for (i, row) in a.iter_mut().enumerate() {
         row.extend((0..n).map(|j| f64::from(u8::from(i == j))));

@@ -60,6 +60,9 @@ impl From<Side> for RowState {
 /// the tolerance of a solver.
 const ON_BOUNDARY: [f64; 3] = [64.0 * f64::EPSILON, 1e-9, 1e-6];
 
+/// A slip below this fraction of its terms may be 0.
+const SMALL_SLIP: f64 = 1e-9;
+
 /// The states that x may have: those of a projected step, and those of x itself.
 pub(super) fn candidates(problem: &ConeProblem, x: &[f64]) -> Vec<Vec<RowState>> {
     let at = Rows::at(problem.friction().lcp(), x);
@@ -103,6 +106,26 @@ pub(super) fn candidates(problem: &ConeProblem, x: &[f64]) -> Vec<Vec<RowState>>
         }
     }
     all
+}
+
+/// The states after a projected step, but contacts stick whose slip is below what rounding and a
+/// solver's tolerance leave of it.
+pub(super) fn without_small_slip(problem: &ConeProblem, x: &[f64]) -> Vec<RowState> {
+    let at = Rows::at(problem.friction().lcp(), x);
+    let mut states: Vec<RowState> = sides(&at).into_iter().map(RowState::from).collect();
+    for contact in problem.friction().contacts() {
+        let tangents = [contact.rows[1], contact.rows[2]];
+        let is_small =
+            |i: usize| at.rows[i].w.value().abs() <= SMALL_SLIP * at.rows[i].terms.value();
+        let state = match after_step(&at, problem.law(), contact) {
+            RowState::Slides if tangents.into_iter().all(is_small) => {
+                state_of(contact, false, true)
+            }
+            state => state,
+        };
+        contact.rows.iter().for_each(|&i| states[i] = state);
+    }
+    states
 }
 
 fn state_of(contact: &Contact, is_open: bool, sticks: bool) -> RowState {

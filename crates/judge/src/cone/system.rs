@@ -14,14 +14,28 @@
 //! All are polynomials of degree two at most, so F(c + d) = F(c) + F'(c) d + Q(d) exactly. All
 //! values at a point are homogeneous: x, w and the radii are multiplied by the point's denominator
 //! D, F and Q by D², F' by D.
+//!
+//! With redundant contacts some of the equations w_i = 0 follow from others. These are left out,
+//! and their x_i are given.
+//!
+//! A = J M⁻¹Jᵀ + diag(γ) is rounded, which hides redundancy. Therefore a system can also be about
+//! the exact numbers of the bodies, with the motion u as further unknowns after x:
+//!
+//! ```text
+//! w = J u + bias + γ x,   M (u − u*) − Jᵀx = 0
+//! ```
+
+use std::collections::BTreeMap;
 
 use dashu_int::ops::Abs;
 
 use super::state::RowState;
+use lcplab_lcp::Gauss;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic};
 use lcplab_lcp::friction::{ConeProblem, Contact, Law};
 
 /// The equations of a cone problem in given states.
+#[derive(Clone)]
 pub(super) struct System<'a> {
     problem: &'a ConeProblem,
     numbers: &'a Numbers,
@@ -32,14 +46,18 @@ pub(super) struct System<'a> {
     position: Vec<Option<usize>>,
     /// The equation of each unknown.
     equations: Vec<Equation>,
+    /// The rows whose equation w_i = 0 is left out, ascending; their x is given.
+    redundant: Vec<usize>,
 }
 
 /// A problem's numbers as exact fractions.
 pub(super) struct Numbers {
-    a: Vec<Vec<(usize, Dyadic)>>,
-    b: Vec<Dyadic>,
+    pub a: Vec<Vec<(usize, Dyadic)>>,
+    pub b: Vec<Dyadic>,
     lo: Vec<Option<Dyadic>>,
     hi: Vec<Option<Dyadic>>,
+    /// The rows that belong to no contact.
+    others: Vec<usize>,
 }
 
 /// An equation; the number is that of the contact.
@@ -72,6 +90,47 @@ impl Numbers {
             b: lcp.b().iter().map(|&b| dyadic(b)).collect(),
             lo: lcp.lo().iter().map(finite).collect(),
             hi: lcp.hi().iter().map(finite).collect(),
+            others: problem.friction().others().to_vec(),
+        }
+    }
+
+    /// The problem of the bodies: after the n rows of x come the k rows of u, which have no bounds.
+    pub fn of_bodies(problem: &ConeProblem, bodies: &Gauss) -> Self {
+        let Numbers { lo, hi, mut others, .. } = Numbers::of(problem);
+        let (n, k) = (bodies.jacobian.len(), bodies.target.len());
+        let mut a = vec![BTreeMap::new(); n + k];
+        let mut b: Vec<Dyadic> = bodies.bias.iter().map(|&bias| dyadic(bias)).collect();
+        b.resize(n + k, Dyadic::ZERO);
+        for (i, row) in bodies.jacobian.iter().enumerate() {
+            a[i].insert(i, dyadic(bodies.compliance[i]));
+            for &(j, value) in row {
+                a[i].insert(n + j, dyadic(value));
+                a[n + j].insert(i, dyadic(-value));
+            }
+        }
+        let target = |j: usize| dyadic(bodies.target[j]);
+        for &(i, j, mass) in &bodies.mass {
+            a[n + i].insert(n + j, dyadic(mass));
+            a[n + j].insert(n + i, dyadic(mass));
+            b[n + i] -= dyadic(mass) * target(j);
+            if i != j {
+                b[n + j] -= dyadic(mass) * target(i);
+            }
+        }
+        others.extend(n..n + k);
+        let nonzero = |row: BTreeMap<usize, Dyadic>| {
+            row.into_iter().filter(|(_, a)| *a != Dyadic::ZERO).collect()
+        };
+        let without_bounds = |mut bounds: Vec<Option<Dyadic>>| {
+            bounds.resize(n + k, None);
+            bounds
+        };
+        Numbers {
+            a: a.into_iter().map(nonzero).collect(),
+            b,
+            lo: without_bounds(lo),
+            hi: without_bounds(hi),
+            others,
         }
     }
 }
@@ -86,13 +145,12 @@ impl<'a> System<'a> {
         numbers: &'a Numbers,
         states: Vec<RowState>,
     ) -> Result<Self, String> {
-        let friction = problem.friction();
-        let n = friction.lcp().len();
+        let n = numbers.b.len();
         if states.len() != n {
             return Err(format!("{} states, the problem has {n} rows", states.len()));
         }
         let mut equations: Vec<Option<Equation>> = vec![None; n];
-        for &i in friction.others() {
+        for &i in &numbers.others {
             let has_bound = match states[i] {
                 RowState::Lower => numbers.lo[i].is_some(),
                 RowState::Upper => numbers.hi[i].is_some(),
@@ -104,7 +162,7 @@ impl<'a> System<'a> {
             }
             equations[i] = (states[i] == RowState::Free).then_some(Equation::Still(i));
         }
-        for (c, contact) in friction.contacts().iter().enumerate() {
+        for (c, contact) in problem.friction().contacts().iter().enumerate() {
             let [n, t1, t2] = contact.rows;
             let state = states[n];
             if states[t1] != state || states[t2] != state {
@@ -128,8 +186,35 @@ impl<'a> System<'a> {
         let unknowns: Vec<usize> = (0..n).filter(|&i| equations[i].is_some()).collect();
         let mut position = vec![None; n];
         unknowns.iter().enumerate().for_each(|(k, &i)| position[i] = Some(k));
-        let equations = equations.into_iter().flatten().collect();
-        Ok(System { problem, numbers, states, unknowns, position, equations })
+        let (equations, redundant) = (equations.into_iter().flatten().collect(), Vec::new());
+        Ok(System { problem, numbers, states, unknowns, position, equations, redundant })
+    }
+
+    /// The rows with the equation w_i = 0, ascending.
+    pub fn still(&self) -> Vec<usize> {
+        let still = self.equations.iter().filter_map(|equation| match *equation {
+            Equation::Still(i) => Some(i),
+            _ => None,
+        });
+        still.collect()
+    }
+
+    /// The system without the equations w_i = 0 of these rows, whose x is then given.
+    #[must_use]
+    pub fn without(mut self, rows: &[usize]) -> Self {
+        let kept = |i: &usize| !rows.contains(i);
+        let pairs = self.unknowns.into_iter().zip(self.equations).filter(|(i, _)| kept(i));
+        (self.unknowns, self.equations) = pairs.unzip();
+        self.position.fill(None);
+        for (k, &i) in self.unknowns.iter().enumerate() {
+            self.position[i] = Some(k);
+        }
+        self.redundant = rows.to_vec();
+        self
+    }
+
+    pub fn numbers(&self) -> &'a Numbers {
+        self.numbers
     }
 
     pub fn states(&self) -> &[RowState] {
@@ -158,10 +243,15 @@ impl<'a> System<'a> {
         self.lo(i).is_some() && self.lo(i) == self.hi(i)
     }
 
-    /// The value of a row that is no unknown.
+    pub fn is_unknown(&self, i: usize) -> bool {
+        self.position[i].is_some()
+    }
+
+    /// The value that the states give to a row; `None` for unknown and for redundant rows.
     pub fn given(&self, i: usize) -> Option<Dyadic> {
         match (self.position[i], self.states[i]) {
             (Some(_), _) => None,
+            _ if self.redundant.contains(&i) => None,
             (None, RowState::Lower) => self.numbers.lo[i].clone(),
             (None, RowState::Upper) => self.numbers.hi[i].clone(),
             (None, _) => Some(Dyadic::ZERO),
@@ -275,7 +365,7 @@ impl<'a> System<'a> {
     /// The row whose inequality fails.
     pub(crate) fn check_inequalities(&self, at: &AtPoint<'_>, r: &[Dyadic]) -> Result<(), String> {
         let AtPoint { x, d, w } = at;
-        for &i in self.problem.friction().others() {
+        for &i in &self.numbers.others {
             let holds = match self.states[i] {
                 RowState::Lower => w[i] >= self.spread(i, r),
                 RowState::Upper => -&w[i] >= self.spread(i, r),

@@ -2,6 +2,7 @@
 //! share nothing with them.
 
 mod another;
+mod bodies;
 mod cases;
 mod checkers;
 mod claims;
