@@ -101,13 +101,14 @@ fn in_a_terminal() -> Value {
     COMMANDS.iter().map(|words| run(words)).collect()
 }
 
-/// The result of a command, of `compare` without the times: of each line the columns before them.
+/// The result of a command, of `compare` without the times: of each line what is left of them.
 fn timeless(result: &Value) -> Value {
-    match (result[0].as_str(), result[2].as_str()) {
-        (Some(words), Some(text)) if words.starts_with("compare") => {
-            let columns =
-                |line: &str| line.split_whitespace().take(9).collect::<Vec<_>>().join(" ");
-            json!([words, result[1], text.lines().map(columns).collect::<Vec<_>>()])
+    let (words, text) = (result[0].as_str().unwrap(), result[2].as_str().unwrap());
+    match text.lines().find_map(|line| line.split_once("time (ms)")) {
+        Some((before, _)) if words.starts_with("compare") => {
+            let columns = before.chars().count();
+            let left = |line: &str| line.chars().take(columns).collect::<String>();
+            json!([words, result[1], text.lines().map(left).collect::<Vec<_>>()])
         }
         _ => result.clone(),
     }
