@@ -4,11 +4,11 @@
 //! at a bound with w = 0.
 //!
 //! - Without weak rows, and with a regular matrix of the free rows, x is differentiable, and its
-//!   derivative solves the equations of the [active set](active) in rational numbers (implicit
-//!   function theorem).
-//! - At a weak row x has a *kink*: two one-sided [derivatives](kink).
+//!   derivative solves the equations of the active set in rational numbers (implicit function
+//!   theorem).
+//! - At a weak row x has a *kink*: two one-sided derivatives.
 //! - If the equations are singular, also up to rounding, x is not unique. If the problem states
-//!   masses and rows, the derivative of the [motion](motion) u = u* + M⁻¹Jᵀx exists.
+//!   masses and rows, the derivative of the motion u = u* + M⁻¹Jᵀx exists.
 //!
 //! ```
 //! use lcplab_analysis::gradient::{Direction, Gradient, Status};

@@ -83,7 +83,7 @@ impl Theirs {
 
 impl Gradient {
     /// dx/db after a small positive change of b_j, and after a negative one, column by column in j:
-    /// entry [i][j] is dx_i/db_j.
+    /// entry (i, j) is dx_i/db_j.
     ///
     /// # Errors
     /// If x is not unique, or for more than 50 rows.
