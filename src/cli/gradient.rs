@@ -83,7 +83,7 @@ impl Derivatives {
         let gradient = Gradient::of(&problem, &x)?;
         let mut text = format!("{}\n{}", title(&problem), gradient.text());
         let mut object = gradient.json();
-        let mut outcome = if gradient.is_known() { Outcome::Good } else { Outcome::Refuted };
+        let mut outcome = if gradient.is_known() { Outcome::Good } else { Outcome::Rejected };
         for (name, entries, len) in
             [("x", &self.row, n), ("u", &self.motion, gradient.motion_len())]
         {
@@ -121,7 +121,7 @@ impl Derivatives {
             let found = gradient.compare(&theirs)?;
             text += &found.text();
             object.insert("theirs".into(), found.json());
-            outcome = if found.is_right { Outcome::Good } else { Outcome::Refuted };
+            outcome = if found.is_right { Outcome::Good } else { Outcome::Rejected };
         }
         print(&if self.json { format!("{}\n", Value::Object(object)) } else { text })?;
         Ok(outcome)
