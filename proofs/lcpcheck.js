@@ -621,7 +621,34 @@ const lcpcheck = (() => {
   }
 
   // S and G of an answer and a motion.
-  function squares(p, answer, data) {
+  // The forces of a proof about cones, as fractions; each is inside its cone or its bounds.
+  function forces(p, data) {
+    need(isObject(data) && list(data.numerators).every((v) => v !== "lo" && v !== "hi"), "forces");
+    const [X, D] = point(p, data);
+    for (const [n, t1, t2] of p.contacts) {
+      const limit = p.M[t1] * X[n];
+      need(X[n] >= 0n && (X[t1] * X[t1] + X[t2] * X[t2]) << (2n * p.sm) <= limit * limit, `the force of row ${n} is outside its cone`);
+    }
+    for (const i of p.others) {
+      const own = X[i] << p.sl;
+      need((p.L[i] === null || p.L[i] * D <= own) && (p.U[i] === null || own <= p.U[i] * D), `the force of row ${i}`);
+    }
+    return X.map((v) => fraction(v, D));
+  }
+
+  // g of a contact, from the mu, force, w and compliance of its rows.
+  function coneGap(mu, force, w, give, n) {
+    const sum = (terms) => terms.reduce(plus, [0n, 1n]), square = (v) => times(v, v);
+    if (w.every((v) => v[0] === 0n)) return [0n, 1n];
+    const costs = [], limit = times(square(mu), plus(square(w[1]), square(w[2])));
+    if (w[0][0] >= 0n && !less(square(w[0]), limit)) costs.push(sum(w.map((v, k) => times(v, force[k]))));
+    if (give.every((v) => v[0] > 0n)) costs.push(sum(w.map((v, k) => over(square(v), times([2n, 1n], give[k])))));
+    need(costs.length > 0, `the motion breaks the contact of row ${n}`);
+    return costs.reduce(smaller);
+  }
+
+  // S and G; under a cone, force replaces the projected answer.
+  function squares(p, answer, data, force) {
     const exact = (v) => binary(parts(v)), zero = [0n, 1n], minus = (a, b) => plus(a, negative(b));
     const { mass, jacobian, bias, soft, target } = p.motion, k = target.length, x = answer.map(exact);
     need(hasKeys(data, ["denominator", "numerators"]), "a motion");
@@ -635,6 +662,7 @@ const lcpcheck = (() => {
       add(within, i, times(exact(m), moved[j]));
       if (i !== j) add(within, j, times(exact(m), moved[i]));
     }));
+    const slips = [];
     let S = zero, G = zero;
     jacobian.forEach((row, i) => {
       let [lo, hi] = [p.L[i], p.U[i]].map((end) => (end === null ? null : fraction(end, 1n << p.sl)));
@@ -645,11 +673,14 @@ const lcpcheck = (() => {
       let inside = x[i];
       if (lo !== null) inside = larger(inside, lo);
       if (hi !== null) inside = smaller(inside, hi);
+      if (force !== null) inside = force[i];
       const give = exact(soft[i]);
       const w = row.reduce((w, [j, a]) => plus(w, times(exact(a), v[j])), plus(exact(bias[i]), times(give, inside)));
-      const end = w[0] > 0n ? lo : hi, costs = [];
-      if (end !== null) costs.push(absolute(times(minus(inside, end), w)));
-      if (give[0] > 0n) costs.push(over(times(w, w), times([2n, 1n], give)));
+      slips.push(w);
+      const isOfContact = p.contacts.some((contact) => contact.includes(i));
+      const end = w[0] > 0n ? lo : hi, costs = isOfContact ? [zero] : [];
+      if (end !== null && !isOfContact) costs.push(absolute(times(minus(inside, end), w)));
+      if (give[0] > 0n && !isOfContact) costs.push(over(times(w, w), times([2n, 1n], give)));
       need(costs.length > 0 || w[0] === 0n, `the motion breaks row ${i}`);
       if (w[0] !== 0n) G = plus(G, times([2n, 1n], costs.reduce(smaller)));
       row.forEach(([j, a]) => {
@@ -657,6 +688,10 @@ const lcpcheck = (() => {
         add(beyond, j, times(exact(a), minus(x[i], inside)));
       });
     });
+    for (const contact of p.contacts) {
+      const of = (values) => contact.map((i) => values[i]), mu = fraction(p.M[contact[1]], 1n << p.sm);
+      G = plus(G, times([2n, 1n], coneGap(mu, of(force), of(slips), of(soft).map(exact), contact[0])));
+    }
     // M = L D L'; both vectors become their L^-1 f
     const left = mass.map((row) => new Map(row.map(([j, m]) => [j, exact(m)])));
     left.forEach((row, c) => {
@@ -681,7 +716,7 @@ const lcpcheck = (() => {
   const KEYS = {
     "solution": [["x"], ["x", "answer", "distance"]], "unique": [["x", "by"]], "not-unique": [["x", "y"]],
     "cone-solution": REGIONS, "body-solution": [...REGIONS, ...REGIONS.map((keys) => [...keys, "bias_change"])], "no-solution": [["tree"]], "within": [["answer", "residual"]],
-    "motion": [["answer", "motion", "bound"]], "frozen-motion": [["answer", "motion", "bound"]],
+    "motion": [["answer", "motion", "bound"], ["answer", "motion", "bound", "force"]], "frozen-motion": [["answer", "motion", "bound"]],
   };
 
   function check(p, proof) {
@@ -695,7 +730,8 @@ const lcpcheck = (() => {
     const answer = has(proof, "answer") ? list(proof.answer, p.n).map(number) : null;
     const isLeaf = proof.kind === "no-solution" && hasKeys(proof.tree, ["d"]);
     const isRegion = ["cone-solution", "body-solution"].includes(proof.kind);
-    const isOfCone = (isRegion || proof.kind === "solution") && CONES.includes(model);
+    const isOfCone = (isRegion || proof.kind === "solution") && CONES.includes(model)
+      || proof.kind === "motion" && model === "associated-cone";
     need(isLeaf || isOfCone || (BOXES.includes(model) && !isRegion), `of ${model} this is no proof`);
     const under = has(proof, "model") ? `, under the friction model ${model}` : "";
     return says(p, proof, answer) + under;
@@ -715,9 +751,11 @@ const lcpcheck = (() => {
     }
     if (proof.kind === "motion" || proof.kind === "frozen-motion") {
       const isFrozen = proof.kind !== "motion";
-      need(isFrozen === p.owner.some((k) => k >= 0), "the kind for rows that are coupled is another");
+      const isCone = p.model === "associated-cone";
+      need(isCone === has(proof, "force"), "the keys of its kind");
+      need(isCone || isFrozen === p.owner.some((k) => k >= 0), "the kind for rows that are coupled is another");
       need(p.motion !== null, "the problem says nothing of bodies");
-      const bound = binary(parts(size(proof.bound))), [S, G] = squares(p, answer, proof.motion);
+      const bound = binary(parts(size(proof.bound))), [S, G] = squares(p, answer, proof.motion, isCone ? forces(p, proof.force) : null);
       const rest = plus(times(bound, bound), negative(plus(S, G))), product = times([4n, 1n], times(S, G));
       need(rest[0] >= 0n && !less(times(rest, rest), product), "the motion shows a larger bound only");
       return `the motion of the answer is within ${proof.bound.value} of the exact one${isFrozen ? ", with frozen friction" : ""}`;

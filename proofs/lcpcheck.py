@@ -26,7 +26,7 @@ REGIONS = [{*REGION, *more, *near} for more in ((), ("redundant",)) for near in 
 KEYS = {"solution": [{"x"}, {"x", "answer", "distance"}], "unique": [{"x", "by"}], "not-unique": [{"x", "y"}],
         "no-solution": [{"tree"}], "within": [{"answer", "residual"}],
         "cone-solution": REGIONS, "body-solution": REGIONS + [{*keys, "bias_change"} for keys in REGIONS],
-        "motion": [{"answer", "motion", "bound"}], "frozen-motion": [{"answer", "motion", "bound"}]}
+        "motion": [{"answer", "motion", "bound"}, {"answer", "motion", "bound", "force"}], "frozen-motion": [{"answer", "motion", "bound"}]}
 
 
 class Refused(Exception):
@@ -443,8 +443,33 @@ class Problem:
             worst = max(worst, abs(own - target) / e if own != target else Q(0))
         return worst
 
-    def squares(self, x, data):
-        """S and G of an answer and a motion, as fractions."""
+    def forces(self, data):
+        """The forces of a proof about cones, as fractions; each is inside its cone or its bounds."""
+        need(type(data) is dict and all(type(v) is str and v not in ("lo", "hi") for v in entries(data.get("numerators"))), "forces")
+        X, D = self.point(data)
+        for n, t1, t2 in self.contacts:
+            mu = self.mu[t1]
+            need(X[n] >= 0 and X[t1] ** 2 + X[t2] ** 2 << 2 * self.s <= (mu * X[n]) ** 2, f"the force of row {n} is outside its cone")
+        for i in self.others:
+            lo, hi = self.ends[i]
+            need((lo is None or lo * D <= X[i] << self.s) and (hi is None or X[i] << self.s <= hi * D), f"the force of row {i}")
+        return [Q(v, D) for v in X]
+
+    def cone_gap(self, contact, p, w, soft):
+        """g of a contact."""
+        mu, costs = Q(self.mu[contact[1]], 1 << self.s), []
+        w, p, soft = ([v[i] for i in contact] for v in (w, p, soft))
+        if not any(w):
+            return 0
+        if w[0] >= 0 and w[0] ** 2 >= mu ** 2 * (w[1] ** 2 + w[2] ** 2):
+            costs.append(sum(map(mul, p, w)))
+        if all(soft):
+            costs.append(sum(v * v / (2 * k) for v, k in zip(w, soft)))
+        need(costs, f"the motion breaks the contact of row {contact[0]}")
+        return min(costs)
+
+    def squares(self, x, data, force=None):
+        """S and G of an answer and a motion, as fractions; force replaces the projected answer."""
         mass, jacobian, bias, soft, target = self.motion
         need(type(data) is dict and set(data) == {"denominator", "numerators"}, "a motion")
         d, x, gaps = integer(data["denominator"]), [Q(v) for v in x], Q(0)
@@ -455,13 +480,21 @@ class Problem:
             for j, m in row.items():
                 within[i] += m * (v[j] - target[j])
                 within[j] += m * (v[i] - target[i]) if i != j else 0
+        of_contact, slip = {i for contact in self.contacts for i in contact}, {}
         for i, (row, k) in enumerate(zip(jacobian, self.owner)):
+            if i in of_contact:
+                slip[i] = sum([a * v[j] for j, a in row.items()]) + bias[i] + soft[i] * force[i]
+                for j, a in row.items():
+                    within[j] -= a * force[i]
+                    beyond[j] += a * (x[i] - force[i])
+                continue
             lo, hi = (None if end is None else Q(end, 1 << self.s) for end in self.ends[i])
             if k is not None:
                 hi = Q(self.mu[i], 1 << self.s) * max(x[k], 0)
                 lo = -hi
             p = x[i] if lo is None else max(x[i], lo)
             p = p if hi is None else min(p, hi)
+            p = p if force is None else force[i]
             w = sum([a * v[j] for j, a in row.items()]) + bias[i] + soft[i] * p
             end = lo if w > 0 else hi
             costs = [abs((p - end) * w)] if end is not None else []
@@ -471,6 +504,7 @@ class Problem:
             for j, a in row.items():
                 within[j] -= a * p
                 beyond[j] += a * (x[i] - p)
+        gaps += sum(self.cone_gap(contact, force, slip, soft) for contact in self.contacts)
         S, G = Q(0), 2 * gaps
         for c, row in enumerate(rows):          # M = L D L', and both vectors become their L^-1 f
             need(row.get(c, 0) > 0, "the mass matrix is not positive definite")
@@ -507,7 +541,7 @@ def check(problem, proof):
     need(proof.get("problem") == problem.hash, "it is about another problem")
     is_leaf = kind == "no-solution" and type(proof["tree"]) is dict and set(proof["tree"]) == {"d"}
     is_region = kind in ("cone-solution", "body-solution")
-    of_cone = (is_region or kind == "solution") and problem.model in CONES
+    of_cone = (is_region or kind == "solution") and problem.model in CONES or kind == "motion" and problem.model == "associated-cone"
     need(is_leaf or of_cone or problem.model in BOXES and not is_region, f"of {problem.model} this is no proof")
     answer = [number(v) for v in entries(proof["answer"], problem.n)] if "answer" in proof else None
     if kind == "no-solution":
@@ -520,9 +554,11 @@ def check(problem, proof):
         need(p >= 0 and q > 0 and p * own.denominator == q * own.numerator, "the residual is another")
         return "the scaled residual of the answer is the fraction that it states"
     if kind in ("motion", "frozen-motion"):
-        need((kind == "motion") == all(k is None for k in problem.owner), "the kind for rows that are coupled is another")
+        is_cone = problem.model == "associated-cone"
+        need(is_cone == ("force" in proof), "the keys of its kind")
+        need(is_cone or (kind == "motion") == all(k is None for k in problem.owner), "the kind for rows that are coupled is another")
         need(hasattr(problem, "motion"), "the problem says nothing of bodies")
-        bound, (S, G) = size(proof["bound"]), problem.squares(answer, proof["motion"])
+        bound, (S, G) = size(proof["bound"]), problem.squares(answer, proof["motion"], problem.forces(proof["force"]) if is_cone else None)
         rest = Q(bound) ** 2 - S - G
         need(rest >= 0 and 4 * S * G <= rest ** 2, "the motion shows a larger bound only")
         return f"the motion of the answer is within {bound} of the exact one" + ", with frozen friction" * (kind != "motion")

@@ -38,7 +38,7 @@ With two answers, it proves not-unique from both. \
 With --all, lcplab lists all solutions, up to 1,024, of a problem of up to 19 rows if each has one finite bound, or of up to 12 \
 rows if they have two. \
 docs/proofs.md says what each kind proves. Most proofs are about boxes: under a friction cone, no-solution, \
-solution, cone-solution and body-solution can be proved, under a polygon only no-solution (although the judge can prove an answer under a polygon).
+solution, cone-solution and body-solution can be proved (under the associated law also motion), under a polygon only no-solution (although the judge can prove an answer under a polygon).
 
 Exit codes:
   0  a proof was written; with --all, there is a solution

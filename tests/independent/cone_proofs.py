@@ -11,7 +11,7 @@ differ. From the center, Newton's method in 125 decimal digits finds a point tha
 
 where redundant rows keep their x, and their equations are left out. Then every row of the point must obey the law as the problem states it, redundant rows too, to 60 digits;
 the point must lie in the box, and each entry of the answer within the distance. One contact with a diagonal A has a closed form,
-which must be the point. The point of a proof of kind solution is judged in fractions.
+which must be the point. The point of a proof of kind solution is judged in fractions, and a bound on the motion with a closed form.
 """
 import json
 import sys
@@ -180,6 +180,8 @@ def wrong(record):
     proof = record["proof"]
     kind = proof["kind"]
     problem = Problem(record["problem"], kind == "body-solution")
+    if kind == "motion":
+        return wrong_motion(record["problem"], proof)
     if kind == "no-solution":
         return "no solution exists" if problem.closed_form() is not None else None
     answer, distance = proof.get("answer"), proof.get("distance")
@@ -209,6 +211,29 @@ def wrong(record):
     if answer is not None and any(abs(dec(v) - y) > dec(distance) + TINY * max(map(abs, z)) for v, y in zip(answer, z)):
         return "the answer is farther away"
     return None
+
+
+def wrong_motion(data, proof):
+    """What is false about a bound on the motion of a body on contacts with one normal, under the law of the associated cone.
+
+    Its exact motion is a translation: it stops if |u*_t| <= mu |u*_n|, otherwise N = m (mu |u*_t| - u*_n) / (1 + mu^2) with friction mu N.
+    """
+    motion, mu = data["motion"], dec(data["mu"][1])
+    if any(motion["bias"]) or any(motion["compliance"]):
+        return None
+    weights, target = [dec(m) for _, _, m in motion["mass"]], [dec(v) for v in motion["target"]]
+    push, fall = norm(target[0], target[1]), -target[2]
+    exact = [Decimal(0)] * 6
+    if push > mu * fall:
+        normal = (mu * push + fall) / (1 + mu * mu)
+        exact = [v * (1 - mu * normal / push) for v in target[:2]] + [normal - fall] + exact[3:]
+    u = list(target)
+    for i, j, v in motion["jacobian"]:
+        u[j] += dec(v) * dec(proof["answer"][i]) / weights[j]
+    error = sum(m * (p - q) ** 2 for m, p, q in zip(weights, u, exact)).sqrt()
+    scale = sum(m * q * q for m, q in zip(weights, target)).sqrt()
+    # The rows of J are rounded, so the closed form holds to about 15 digits.
+    return "the motion is farther away" if error > dec(proof["bound"]) + scale * Decimal("1e-14") else None
 
 
 def rational_break(problem, x):

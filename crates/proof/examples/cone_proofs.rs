@@ -202,6 +202,22 @@ fn main() {
             Some(_) => prove_kind(&question, &x, Kind::BodySolution),
             None => prove(&question, &x),
         };
+        // A claim about the motion is checked for this problem only, whose motion is known.
+        let of_motion = prove_kind(&question, &x, Kind::Motion).proof;
+        if let Some(proof) = of_motion {
+            println!("{}", json!({ "problem": problem.to_json(), "proof": proof.to_json() }));
+            for _ in 0..5 {
+                let Some((other, proof)) = changed(&problem, &proof, &mut random) else { continue };
+                let other = Question::new(&other, None, "changed").expect("a question");
+                let is_same = hash(&question) == hash(&other);
+                if is_same && check(&question, &proof).is_ok() {
+                    println!(
+                        "{}",
+                        json!({ "problem": problem.to_json(), "proof": proof.to_json() })
+                    );
+                }
+            }
+        }
         let Some(proof) = found.proof else { continue };
         proofs += 1;
         println!("{}", json!({ "problem": problem.to_json(), "proof": proof.to_json() }));

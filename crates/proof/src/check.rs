@@ -12,7 +12,7 @@ use lcplab_lcp::{Gauss, Lcp, Question};
 use crate::claim::{Bounded, Claim, Entry, Kind, Near, Proof, Reason, Vector};
 use crate::hash::{model, rows};
 use crate::motion::{NO_BODIES, Squares};
-use crate::{cases, cone, hash, minors, residual};
+use crate::{cases, cone, cone_motion, hash, minors, residual};
 
 /// Proofs by definiteness with more rows are rejected: checking them takes minutes.
 pub(crate) const MOST_ROWS_OF_DEFINITE: usize = 500;
@@ -56,7 +56,8 @@ pub fn check(question: &Question, proof: &Proof) -> Result<(), String> {
                 ProblemForm::Cone(problem),
                 claim @ (Claim::Solution { .. }
                 | Claim::ConeSolution { .. }
-                | Claim::BodySolution { .. }),
+                | Claim::BodySolution { .. }
+                | Claim::Motion(_)),
             ) => of_cones(problem, rows(question), question.problem().motion.as_ref(), claim),
             (_, claim) => of_any_model(rows(question), own, claim),
         },
@@ -83,6 +84,7 @@ fn of_cones(
             let bodies = Some(bodies.ok_or(NO_BODIES)?);
             cone::check(problem, rows, bodies, region, near.as_ref())
         }
+        Claim::Motion(bounded) => cone_motion::check(problem, rows, bodies, bounded),
         _ => Err("the claim is none about friction cones".into()),
     }
 }
@@ -208,6 +210,9 @@ fn is_near(point: &Point, near: &Near) -> Result<(), String> {
 
 fn is_bounded(lcp: &Lcp, bodies: Option<&Gauss>, bounded: &Bounded) -> Result<(), String> {
     let data = bodies.ok_or(NO_BODIES)?;
+    if bounded.force.is_some() {
+        return Err("forces belong to a proof about cones".into());
+    }
     has_rows(lcp, bounded.answer.len())?;
     if bounded.motion.numerators.len() != data.target.len() {
         return Err(format!("the motion must have {} entries", data.target.len()));

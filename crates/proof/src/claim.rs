@@ -259,6 +259,8 @@ impl FromStr for Kind {
 pub struct Bounded {
     /// The answer.
     pub answer: Vec<f64>,
+    /// Forces inside their cones, of a problem under the associated law.
+    pub force: Option<Vector>,
     /// A motion that satisfies all rows.
     pub motion: Motion,
     /// |u(answer) − û|_M is at most this; finite and nonnegative.

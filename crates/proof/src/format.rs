@@ -43,11 +43,15 @@ impl Proof {
             Claim::Unique { x, by } => vec![("x", point(x)), ("by", json!(word(*by)))],
             Claim::NotUnique { x, y } => vec![("x", point(x)), ("y", point(y))],
             Claim::NoSolution { tree } => vec![("tree", branches(tree))],
-            Claim::Motion(bounded) | Claim::FrozenMotion(bounded) => vec![
-                ("answer", json!(bounded.answer)),
-                ("motion", motion(&bounded.motion)),
-                ("bound", json!(bounded.bound)),
-            ],
+            Claim::Motion(bounded) | Claim::FrozenMotion(bounded) => {
+                let mut parts = vec![
+                    ("answer", json!(bounded.answer)),
+                    ("motion", motion(&bounded.motion)),
+                    ("bound", json!(bounded.bound)),
+                ];
+                parts.extend(bounded.force.as_ref().map(|force| ("force", point(force))));
+                parts
+            }
             Claim::Within { answer, residual } => vec![
                 ("answer", json!(answer)),
                 (
@@ -205,8 +209,15 @@ fn read(value: &Value) -> Read<Proof> {
             own(&["tree"])?;
             Claim::NoSolution { tree: read_tree(object.get("tree"), MOST_BRANCHES)? }
         }
-        "motion" => Claim::Motion(read_bounded(object)?),
-        "frozen-motion" => Claim::FrozenMotion(read_bounded(object)?),
+        "motion" if object.contains_key("force") => {
+            let force = Some(read_point(object, "force")?);
+            let rest = read_bounded(object, &["answer", "motion", "bound", "force"])?;
+            Claim::Motion(Bounded { force, ..rest })
+        }
+        "motion" => Claim::Motion(read_bounded(object, &["answer", "motion", "bound"])?),
+        "frozen-motion" => {
+            Claim::FrozenMotion(read_bounded(object, &["answer", "motion", "bound"])?)
+        }
         "within" => {
             own(&["answer", "residual"])?;
             let residual = part(object, "residual")?;
@@ -276,8 +287,8 @@ fn unknown_model() -> (String, String) {
     ("model".into(), format!("must be one of {names}, or another polygon"))
 }
 
-fn read_bounded(object: &Map<String, Value>) -> Read<Bounded> {
-    only(object, &[&COMMON[..], &["answer", "motion", "bound"]].concat(), "file")?;
+fn read_bounded(object: &Map<String, Value>, keys: &[&str]) -> Read<Bounded> {
+    only(object, &[&COMMON[..], keys].concat(), "file")?;
     let motion = part(object, "motion")?;
     only(motion, &["denominator", "numerators"], "motion")?;
     let Some(Value::Array(numerators)) = motion.get("numerators") else {
@@ -288,7 +299,8 @@ fn read_bounded(object: &Map<String, Value>) -> Read<Bounded> {
         denominator: positive(motion.get("denominator"), "motion")?,
         numerators: numerators.collect::<Read<_>>()?,
     };
-    Ok(Bounded { answer: numbers(object, "answer")?, motion, bound: size(object, "bound")? })
+    let answer = numbers(object, "answer")?;
+    Ok(Bounded { answer, force: None, motion, bound: size(object, "bound")? })
 }
 
 /// Checks that an object has no other keys.

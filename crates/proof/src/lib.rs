@@ -29,6 +29,7 @@ mod cases;
 mod check;
 mod claim;
 mod cone;
+mod cone_motion;
 mod congruence;
 mod format;
 mod hash;

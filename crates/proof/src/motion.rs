@@ -31,7 +31,7 @@ const DEPENDENT: f64 = 1e-9;
 /// The reason if the problem has no data for a claim about the motion.
 pub(crate) const NO_BODIES: &str = "the problem has no key motion";
 
-fn exact(value: f64) -> RBig {
+pub(crate) fn exact(value: f64) -> RBig {
     rational(&dyadic(value))
 }
 
@@ -51,6 +51,23 @@ impl Squares {
     /// If M is not positive definite, or P(v) is infinite.
     pub fn of(lcp: &Lcp, data: &Gauss, x: &[RBig], v: &[RBig]) -> Result<Squares, String> {
         let p: Vec<RBig> = (0..x.len()).map(|i| moved_into(bounds(lcp, x, i), &x[i])).collect();
+        let gap = |i| row_gap(bounds(lcp, x, i), data, &p[i], v, i);
+        let gaps: Result<Vec<RBig>, String> = (0..x.len()).map(gap).collect();
+        Self::with_gaps(data, x, &p, v, gaps?)
+    }
+
+    /// The squares for an answer x, forces p inside their bounds or cones, a motion v, and the g of
+    /// rows or contacts.
+    ///
+    /// # Errors
+    /// If M is not positive definite.
+    pub(crate) fn with_gaps(
+        data: &Gauss,
+        x: &[RBig],
+        p: &[RBig],
+        v: &[RBig],
+        gaps: Vec<RBig>,
+    ) -> Result<Squares, String> {
         let mut beyond = vec![RBig::ZERO; v.len()];
         let mut within = vec![RBig::ZERO; v.len()];
         for &(i, j, mass) in &data.mass {
@@ -59,15 +76,14 @@ impl Squares {
                 within[j] += exact(mass) * (&v[i] - exact(data.target[i]));
             }
         }
-        let mut rows = RBig::ZERO;
         for (i, row) in data.jacobian.iter().enumerate() {
             for &(j, value) in row {
                 beyond[j] += exact(value) * (&x[i] - &p[i]);
                 within[j] -= exact(value) * &p[i];
             }
-            rows += row_gap(bounds(lcp, x, i), data, &p[i], v, i)?;
         }
-        let within = square(data, within)? + RBig::from(2) * rows;
+        let gaps = gaps.into_iter().fold(RBig::ZERO, |sum, gap| sum + gap);
+        let within = square(data, within)? + RBig::from(2) * gaps;
         Ok(Squares { beyond: square(data, beyond)?, within })
     }
 
@@ -81,7 +97,7 @@ impl Squares {
 
     /// A bound that these squares prove, within a few units in the last place of the smallest one;
     /// not finite if there is none.
-    fn bound(&self) -> f64 {
+    pub(crate) fn bound(&self) -> f64 {
         let mut bound = rounded_up(&self.beyond).sqrt() + rounded_up(&self.within).sqrt();
         while bound.is_finite() && !self.prove(bound) {
             bound = bound.next_up();
@@ -91,15 +107,15 @@ impl Squares {
 }
 
 /// (J v + bias)_i.
-fn speed(data: &Gauss, v: &[RBig], i: usize) -> RBig {
+pub(crate) fn speed(data: &Gauss, v: &[RBig], i: usize) -> RBig {
     data.jacobian[i].iter().fold(exact(data.bias[i]), |sum, &(j, value)| sum + exact(value) * &v[j])
 }
 
 /// A row's bounds; `None` if infinite.
-type Bounds = (Option<RBig>, Option<RBig>);
+pub(crate) type Bounds = (Option<RBig>, Option<RBig>);
 
 /// The bounds of row i at x.
-fn bounds(lcp: &Lcp, x: &[RBig], i: usize) -> Bounds {
+pub(crate) fn bounds(lcp: &Lcp, x: &[RBig], i: usize) -> Bounds {
     let own = |bound: f64| bound.is_finite().then(|| exact(bound));
     match lcp.coupled_to(i) {
         Some((k, mu)) => {
@@ -117,7 +133,13 @@ fn moved_into((lo, hi): Bounds, x: &RBig) -> RBig {
 }
 
 /// g_i for a p_i within these bounds.
-fn row_gap((lo, hi): Bounds, data: &Gauss, p: &RBig, v: &[RBig], i: usize) -> Result<RBig, String> {
+pub(crate) fn row_gap(
+    (lo, hi): Bounds,
+    data: &Gauss,
+    p: &RBig,
+    v: &[RBig],
+    i: usize,
+) -> Result<RBig, String> {
     let compliance = exact(data.compliance[i]);
     let w = speed(data, v, i) + &compliance * p;
     let room = match w > RBig::ZERO {
@@ -178,7 +200,7 @@ pub fn search(lcp: &Lcp, data: Option<&Gauss>, answer: &[f64]) -> Result<Bounded
     let x: Vec<RBig> = answer.iter().map(|&x| exact(x)).collect();
     let bound = Squares::of(lcp, data, &x, &motion.entries())?.bound();
     match bound.is_finite() {
-        true => Ok(Bounded { answer: answer.to_vec(), motion, bound }),
+        true => Ok(Bounded { answer: answer.to_vec(), force: None, motion, bound }),
         false => Err("the bound is not finite".into()),
     }
 }
@@ -217,7 +239,7 @@ fn relaxed(data: &Gauss, x: &[f64]) -> Gauss {
 }
 
 /// The floating-point motion, with some columns changed so that it satisfies all equations exactly.
-fn obeying_equations(data: &Gauss, motion: &[f64]) -> Result<Motion, String> {
+pub(crate) fn obeying_equations(data: &Gauss, motion: &[f64]) -> Result<Motion, String> {
     let rows = equations(data);
     if rows.len() > MOST_EQUATIONS {
         return Err(format!("{} equations are too many", rows.len()));

@@ -16,7 +16,7 @@ use lcplab_lcp::{Lcp, Question};
 use crate::check::{MOST_ROWS_OF_DEFINITE, MOST_ROWS_OF_P, about_boxes, about_cones, check};
 use crate::claim::{Claim, Entry, Kind, Near, Proof, Reason, Vector, over_one_denominator};
 use crate::hash::{model, rows};
-use crate::{cone, hash, minors, motion, pivot, residual};
+use crate::{cone, cone_motion, hash, minors, motion, pivot, residual};
 
 /// With more rows no exact solution is searched for: it would take hours.
 const MOST_ROWS: usize = 500;
@@ -210,6 +210,10 @@ impl<'a> Prover<'a> {
                 (ProblemForm::Cone(problem), Kind::BodySolution) => {
                     let bodies = self.question.problem().motion.as_ref();
                     cone::search_bodies(problem, bodies, self.answer)?
+                }
+                (ProblemForm::Cone(problem), Kind::Motion) => {
+                    let bodies = self.question.problem().motion.as_ref();
+                    Claim::Motion(cone_motion::search(problem, bodies, self.answer)?)
                 }
                 _ => self.of_any_model(kind)?,
             },

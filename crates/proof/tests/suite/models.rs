@@ -63,6 +63,10 @@ fn the_boxs_answer_is_never_proved_of_another_model() {
                     assert!(reason.contains("about friction cones"), "{reason}")
                 }
                 Kind::BodySolution => assert!(reason.contains("no key motion"), "{reason}"),
+                Kind::Motion if model == Model::AssociatedCone => {
+                    assert!(reason.contains("no key motion"), "{reason}")
+                }
+                Kind::Motion if is_cone => assert!(reason.contains("unique"), "{reason}"),
                 Kind::Solution if is_cone => assert!(reason.contains("no rational"), "{reason}"),
                 _ => assert!(
                     reason.contains(&model.to_string()) && reason.contains("boxes"),
