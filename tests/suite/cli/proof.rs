@@ -29,6 +29,15 @@ fn lcpcheck(paths: &[&Path], model: &[&str]) -> Output {
     Command::new("python3").arg(checker).args(paths).args(model).output().unwrap()
 }
 
+/// The crate of the pages has a copy, because a crate is published with its own files alone.
+#[test]
+fn the_checker_of_the_pages_is_that_of_the_folder_proofs() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let [page, shipped] = ["crates/page/src/page/lcpcheck.js", "proofs/lcpcheck.js"]
+        .map(|name| fs::read_to_string(root.join(name)).unwrap());
+    assert!(page == shipped, "copy proofs/lcpcheck.js to crates/page/src/page");
+}
+
 #[test]
 fn the_solution_of_a_cone_is_proved_by_a_box_around_it() {
     let (_folder, problem, proof) = folder(CONE);

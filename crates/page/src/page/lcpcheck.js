@@ -111,8 +111,8 @@ const lcpcheck = (() => {
     return [v < 0 ? -m : m, e];
   }
   // Integers and s: the numbers times 2^s.
-  function whole(values) {
-    const all = values.map(parts);
+  const whole = (values) => scaled(values.map(parts));
+  function scaled(all) {
     const s = all.reduce((most, [, e]) => Math.max(most, -e), 0);
     return [all.map(([m, e]) => m << BigInt(e + s)), BigInt(s)];
   }
@@ -355,6 +355,54 @@ const lcpcheck = (() => {
     }
   }
 
+  // The problem of the exact bodies, whose unknowns are x and then the motion u.
+  function augmented(p) {
+    need(p.motion !== null, "the problem says nothing of bodies");
+    const { mass, jacobian, bias, soft, target } = p.motion, n = p.n, k = target.length, width = n + k;
+    const rows = Array.from({ length: width }, () => new Map());
+    soft.forEach((v, i) => { if (v !== 0) rows[i].set(i, v); });
+    jacobian.forEach((row, i) => row.forEach(([j, v]) => { rows[i].set(n + j, v); rows[n + j].set(i, -v); }));
+    mass.forEach((row, i) => row.forEach(([j, v]) => { rows[n + i].set(n + j, v); rows[n + j].set(n + i, v); }));
+    // −Σ M u*: a sum of products as m 2^e.
+    const load = (row) => {
+      const terms = [...row].filter(([j]) => j >= n).map(([j, v]) => [parts(v), parts(target[j - n])]);
+      const [products, s] = scaled(terms.map(([v, u]) => [v[0] * u[0], v[1] + u[1]]));
+      return [-products.reduce((sum, m) => sum + m, 0n), -Number(s)];
+    };
+    const [B, sb] = scaled([...bias.map(parts), ...rows.slice(n).map(load)]);
+    const [values, sa] = whole(rows.flatMap((row) => [...row.values()]));
+    let next = 0;
+    const A = rows.map((row) => [...row.keys()].map((j) => [j, values[next++]]));
+    const extra = (list, v) => [...list, ...Array(k).fill(v)];
+    const others = [...p.others, ...Array.from({ length: k }, (_, j) => n + j)];
+    return { ...p, n: width, A, sa, B, sb, M: extra(p.M, 0n), L: extra(p.L, null), U: extra(p.U, null), owner: extra(p.owner, -1), others };
+  }
+
+  // The redundant rows of a proof: each depends on rows with w = 0 that are not redundant, up to a change of b.
+  function redundant(p, data, unknown, change) {
+    need(isObject(data), "redundant");
+    const row = (key) => {
+      need(/^(0|[1-9][0-9]*)$/.test(key), "a row");
+      return Number(key);
+    };
+    const isStill = (i) => unknown.has(i) && unknown.get(i)[0] === "still", rows = new Set(Object.keys(data).map(row));
+    for (const i of rows) {
+      const own = data[String(i)], sums = new Map();
+      need(isStill(i) && isObject(own) && has(own, String(i)), `the dependence of row ${i}`);
+      let total = 0n;
+      for (const key of Object.keys(own)) {
+        const j = row(key), f = integer(own[key]);
+        need(f !== 0n && (j === i || (isStill(j) && !rows.has(j))), `the dependence of row ${i} on row ${j}`);
+        total += f * p.B[j];
+        p.A[j].forEach(([column, a]) => sums.set(column, (sums.get(column) ?? 0n) + f * a));
+      }
+      need([...sums.values()].every((v) => v === 0n), `row ${i} does not depend on the others`);
+      const [m, e] = parts(change), most = binary([m * abs(integer(own[String(i)])), e + Number(p.sb)]);
+      need(abs(total) * most[1] <= most[0], `b of row ${i} does not depend on the others`);
+    }
+    return rows;
+  }
+
   // The box of a proof, which must contain a solution of a problem with cones: [center, radius, D],
   // the first two times D.
   function region(p, proof) {
@@ -380,10 +428,13 @@ const lcpcheck = (() => {
       unknown.set(n, [hasFriction && p.model === "associated-cone" ? "power" : "still", contact]);
       if (hasFriction) unknown.set(t1, ["limit", contact]).set(t2, ["parallel", contact]);
     }
+    const change = has(proof, "bias_change") ? size(proof.bias_change) : 0;
+    const fixed = redundant(p, has(proof, "redundant") ? proof.redundant : {}, unknown, change);
+    fixed.forEach((i) => unknown.delete(i));
     for (let i = 0; i < p.n; i++) {
       const isUnknown = unknown.has(i), end = states[i] === "lo" ? lo[i] : states[i] === "hi" ? hi[i] : 0n;
       need(isUnknown ? R[i] > 0n : R[i] === 0n, `the radius of row ${i}`);
-      need(isUnknown || (end !== null && X[i] * T === end * D), `the center of row ${i}`);
+      need(isUnknown || fixed.has(i) || (end !== null && X[i] * T === end * D), `the center of row ${i}`);
     }
     // w, and how much it changes in the box, times T D.
     const W = A.map((row, i) => row.reduce((sum, [j, a]) => sum + a * X[j], (p.B[i] << (S - p.sb)) * D));
@@ -414,12 +465,14 @@ const lcpcheck = (() => {
       add(t2, -W[t1] * T);
       return { f: (X[t1] * W[t2] - X[t2] * W[t1]) * T, own, q: (R[t1] * P[t2] + R[t2] * P[t1]) * T };
     });
+    // The nonzero derivatives of each unknown.
+    const columns = rows.map((j) => equations.flatMap(({ own }, k) => (own.get(j) ? [[k, own.get(j)]] : [])));
     list(proof.inverse, rows.length).forEach((row, at) => {
       const [C, e] = whole(list(row, rows.length).map(number)), one = (T * T * D) << e;
       let image = abs(total(C.map((c, k) => c * equations[k].f))) + 2n * total(C.map((c, k) => abs(c) * equations[k].q));
       rows.forEach((j, column) => {
         let rest = column === at ? one : 0n;
-        C.forEach((c, k) => { rest -= c * (equations[k].own.get(j) ?? 0n); });
+        columns[column].forEach(([k, v]) => { rest -= C[k] * v; });
         image += abs(rest) * R[j];
       });
       need(image < R[rows[at]] * one, `the box is not mapped into itself in row ${rows[at]}`);
@@ -568,7 +621,34 @@ const lcpcheck = (() => {
   }
 
   // S and G of an answer and a motion.
-  function squares(p, answer, data) {
+  // The forces of a proof about cones, as fractions; each is inside its cone or its bounds.
+  function forces(p, data) {
+    need(isObject(data) && list(data.numerators).every((v) => v !== "lo" && v !== "hi"), "forces");
+    const [X, D] = point(p, data);
+    for (const [n, t1, t2] of p.contacts) {
+      const limit = p.M[t1] * X[n];
+      need(X[n] >= 0n && (X[t1] * X[t1] + X[t2] * X[t2]) << (2n * p.sm) <= limit * limit, `the force of row ${n} is outside its cone`);
+    }
+    for (const i of p.others) {
+      const own = X[i] << p.sl;
+      need((p.L[i] === null || p.L[i] * D <= own) && (p.U[i] === null || own <= p.U[i] * D), `the force of row ${i}`);
+    }
+    return X.map((v) => fraction(v, D));
+  }
+
+  // g of a contact, from the mu, force, w and compliance of its rows.
+  function coneGap(mu, force, w, give, n) {
+    const sum = (terms) => terms.reduce(plus, [0n, 1n]), square = (v) => times(v, v);
+    if (w.every((v) => v[0] === 0n)) return [0n, 1n];
+    const costs = [], limit = times(square(mu), plus(square(w[1]), square(w[2])));
+    if (w[0][0] >= 0n && !less(square(w[0]), limit)) costs.push(sum(w.map((v, k) => times(v, force[k]))));
+    if (give.every((v) => v[0] > 0n)) costs.push(sum(w.map((v, k) => over(square(v), times([2n, 1n], give[k])))));
+    need(costs.length > 0, `the motion breaks the contact of row ${n}`);
+    return costs.reduce(smaller);
+  }
+
+  // S and G; under a cone, force replaces the projected answer.
+  function squares(p, answer, data, force) {
     const exact = (v) => binary(parts(v)), zero = [0n, 1n], minus = (a, b) => plus(a, negative(b));
     const { mass, jacobian, bias, soft, target } = p.motion, k = target.length, x = answer.map(exact);
     need(hasKeys(data, ["denominator", "numerators"]), "a motion");
@@ -582,6 +662,7 @@ const lcpcheck = (() => {
       add(within, i, times(exact(m), moved[j]));
       if (i !== j) add(within, j, times(exact(m), moved[i]));
     }));
+    const slips = [];
     let S = zero, G = zero;
     jacobian.forEach((row, i) => {
       let [lo, hi] = [p.L[i], p.U[i]].map((end) => (end === null ? null : fraction(end, 1n << p.sl)));
@@ -592,11 +673,14 @@ const lcpcheck = (() => {
       let inside = x[i];
       if (lo !== null) inside = larger(inside, lo);
       if (hi !== null) inside = smaller(inside, hi);
+      if (force !== null) inside = force[i];
       const give = exact(soft[i]);
       const w = row.reduce((w, [j, a]) => plus(w, times(exact(a), v[j])), plus(exact(bias[i]), times(give, inside)));
-      const end = w[0] > 0n ? lo : hi, costs = [];
-      if (end !== null) costs.push(absolute(times(minus(inside, end), w)));
-      if (give[0] > 0n) costs.push(over(times(w, w), times([2n, 1n], give)));
+      slips.push(w);
+      const isOfContact = p.contacts.some((contact) => contact.includes(i));
+      const end = w[0] > 0n ? lo : hi, costs = isOfContact ? [zero] : [];
+      if (end !== null && !isOfContact) costs.push(absolute(times(minus(inside, end), w)));
+      if (give[0] > 0n && !isOfContact) costs.push(over(times(w, w), times([2n, 1n], give)));
       need(costs.length > 0 || w[0] === 0n, `the motion breaks row ${i}`);
       if (w[0] !== 0n) G = plus(G, times([2n, 1n], costs.reduce(smaller)));
       row.forEach(([j, a]) => {
@@ -604,6 +688,10 @@ const lcpcheck = (() => {
         add(beyond, j, times(exact(a), minus(x[i], inside)));
       });
     });
+    for (const contact of p.contacts) {
+      const of = (values) => contact.map((i) => values[i]), mu = fraction(p.M[contact[1]], 1n << p.sm);
+      G = plus(G, times([2n, 1n], coneGap(mu, of(force), of(slips), of(soft).map(exact), contact[0])));
+    }
     // M = L D L'; both vectors become their L^-1 f
     const left = mass.map((row) => new Map(row.map(([j, m]) => [j, exact(m)])));
     left.forEach((row, c) => {
@@ -623,11 +711,12 @@ const lcpcheck = (() => {
     return [S, G];
   }
 
-  const REGION = ["states", "center", "radius", "inverse"];
+  const REGION = ["states", "center", "radius", "inverse"], NEAR = ["answer", "distance"];
+  const REGIONS = [REGION, [...REGION, ...NEAR]].flatMap((keys) => [keys, [...keys, "redundant"]]);
   const KEYS = {
     "solution": [["x"], ["x", "answer", "distance"]], "unique": [["x", "by"]], "not-unique": [["x", "y"]],
-    "cone-solution": [REGION, [...REGION, "answer", "distance"]], "no-solution": [["tree"]], "within": [["answer", "residual"]],
-    "motion": [["answer", "motion", "bound"]], "frozen-motion": [["answer", "motion", "bound"]],
+    "cone-solution": REGIONS, "body-solution": [...REGIONS, ...REGIONS.map((keys) => [...keys, "bias_change"])], "no-solution": [["tree"]], "within": [["answer", "residual"]],
+    "motion": [["answer", "motion", "bound"], ["answer", "motion", "bound", "force"]], "frozen-motion": [["answer", "motion", "bound"]],
   };
 
   function check(p, proof) {
@@ -640,8 +729,10 @@ const lcpcheck = (() => {
     need(proof.problem === p.hash, "it is about another problem");
     const answer = has(proof, "answer") ? list(proof.answer, p.n).map(number) : null;
     const isLeaf = proof.kind === "no-solution" && hasKeys(proof.tree, ["d"]);
-    const isOfCone = ["solution", "cone-solution"].includes(proof.kind) && CONES.includes(model);
-    need(isLeaf || isOfCone || (BOXES.includes(model) && proof.kind !== "cone-solution"), `of ${model} this is no proof`);
+    const isRegion = ["cone-solution", "body-solution"].includes(proof.kind);
+    const isOfCone = (isRegion || proof.kind === "solution") && CONES.includes(model)
+      || proof.kind === "motion" && model === "associated-cone";
+    need(isLeaf || isOfCone || (BOXES.includes(model) && !isRegion), `of ${model} this is no proof`);
     const under = has(proof, "model") ? `, under the friction model ${model}` : "";
     return says(p, proof, answer) + under;
   }
@@ -660,15 +751,17 @@ const lcpcheck = (() => {
     }
     if (proof.kind === "motion" || proof.kind === "frozen-motion") {
       const isFrozen = proof.kind !== "motion";
-      need(isFrozen === p.owner.some((k) => k >= 0), "the kind for rows that are coupled is another");
+      const isCone = p.model === "associated-cone";
+      need(isCone === has(proof, "force"), "the keys of its kind");
+      need(isCone || isFrozen === p.owner.some((k) => k >= 0), "the kind for rows that are coupled is another");
       need(p.motion !== null, "the problem says nothing of bodies");
-      const bound = binary(parts(size(proof.bound))), [S, G] = squares(p, answer, proof.motion);
+      const bound = binary(parts(size(proof.bound))), [S, G] = squares(p, answer, proof.motion, isCone ? forces(p, proof.force) : null);
       const rest = plus(times(bound, bound), negative(plus(S, G))), product = times([4n, 1n], times(S, G));
       need(rest[0] >= 0n && !less(times(rest, rest), product), "the motion shows a larger bound only");
       return `the motion of the answer is within ${proof.bound.value} of the exact one${isFrozen ? ", with frozen friction" : ""}`;
     }
-    const isRegion = proof.kind === "cone-solution";
-    const [x, R, D] = isRegion ? region(p, proof) : solution(p, proof.x).toSpliced(1, 0, null);
+    const isOfBodies = proof.kind === "body-solution", isRegion = isOfBodies || proof.kind === "cone-solution";
+    const [x, R, D] = isRegion ? region(isOfBodies ? augmented(p) : p, proof) : solution(p, proof.x).toSpliced(1, 0, null);
     if (proof.kind === "unique") {
       unique(p, proof.by);
       return "exactly one solution exists";
@@ -678,11 +771,13 @@ const lcpcheck = (() => {
       need(x.some((v, i) => v * E !== y[i] * D), "both solutions are one");
       return "two different solutions exist";
     }
-    if (answer === null) return "a solution exists";
+    const change = has(proof, "bias_change") ? `, with a bias that differs by at most ${proof.bias_change.value},` : "";
+    const exists = `a solution exists${isOfBodies ? " for the exact numbers of the bodies" : ""}${change}`;
+    if (answer === null) return exists;
     const [values, s] = whole([size(proof.distance), ...answer]), [distance, ...near] = values;
     const width = (i) => (R === null ? 0n : R[i] << s);
     need(near.every((v, i) => abs(v * D - (x[i] << s)) + width(i) <= distance * D), "the answer is farther away");
-    return `a solution exists within ${proof.distance.value} of the answer`;
+    return `${exists} within ${proof.distance.value} of the answer`;
   }
 
   const checked = (p, proofText) => {
