@@ -129,7 +129,7 @@ pub fn prove_kind(question: &Question, answer: &[f64], kind: Kind) -> ProofSearc
 /// assert_eq!(proof.claim.kind(), Kind::NotUnique);
 /// assert_eq!(check(&question, &proof), Ok(()));
 /// let none = prove_different(&question, &[1.0, 0.0], &[1.0, 1.0]);
-/// let reason = "the second answer is 0.5 away from the exact solution on its active set";
+/// let reason = "the second answer is 1 away from the exact solution on its active set";
 /// assert_eq!(none.missing, [(Kind::NotUnique, reason.into())]);
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
