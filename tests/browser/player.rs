@@ -105,7 +105,7 @@ fn two_gravities(scene: &Scene, gravities: [f64; 2]) -> Page {
         scene.gravity.z = -g;
         let solver = simulation::solver(&scene).unwrap();
         let name = format!("{g} m/s²");
-        Recording::of(name, &mut Simulation::new(scene, solver), 100, 11)
+        Recording::of(&name, &mut Simulation::new(scene, solver), 100, 11)
     };
     let recordings = gravities.map(recording).into();
     let animation = Animation::new("swing", scene, recordings).drawn();
