@@ -251,7 +251,12 @@ struct Search<'a> {
 impl Search<'_> {
     fn zero(&self, system: &System<'_>, is_linear: bool) -> Option<Outcome> {
         let (proof, zero) = if !is_linear {
-            let (system, redundant) = reduced(system.clone(), 0.0);
+            // A verdict, which states bounds, proves no redundant contacts: the second judge in
+            // Python, which confirms every verdict, cannot solve their singular equations.
+            let (system, redundant) = match self.bounds {
+                Some(_) => (system.clone(), Vec::new()),
+                None => reduced(system.clone(), 0.0),
+            };
             let (enclosure, zero) = enclosed(&system, &redundant, self.x, self.bounds)?;
             (enclosure.map(ConeProof::Enclosure), zero)
         } else {
