@@ -20,7 +20,7 @@ def one_contact(a, b, lo=0.0, hi=np.inf):
 
 
 def all_cases(A, b):
-    """Each x >= 0 with w = A x + b >= 0, x w = 0 (A symmetric, semidefinite; of a line its ends): tries all sets."""
+    """Each x >= 0 with w = A x + b >= 0 and x w = 0, of a line its ends; A symmetric semidefinite."""
     n, found = len(b), []
     for case in range(2**n):
         F = [i for i in range(n) if case >> i & 1]  # the rows that push
