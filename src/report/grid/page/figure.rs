@@ -12,6 +12,8 @@ const MOST_CURVES: usize = 12;
 const WIDE: f64 = 50.0;
 /// as do values whose logarithms are spaced this evenly.
 const EVEN: f64 = 1.1;
+/// A least value inside a curve is a finding if both ends are more than this many times as large.
+const DIP: f64 = 1.05;
 /// Values of both signs are shown as magnitudes if the largest is this many times the median.
 const FLATTENED: f64 = 20.0;
 
@@ -85,12 +87,14 @@ fn finding(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<
 }
 
 /// Where the curves have their least values, from the curve with the leftmost one to that with the
-/// rightmost one.
+/// rightmost one. `None` for values of both signs, whose least is the most negative, and where the
+/// ends of a curve are hardly larger.
 fn least(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
     let inside = |own: &Series| {
         let finite = || own.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
         let (x, least) = finite().min_by(|a, b| a.1.total_cmp(&b.1))?;
-        let is_inside = finite().next()?.1 > *least && finite().next_back()?.1 > *least;
+        let ends = [finite().next()?.1, finite().next_back()?.1];
+        let is_inside = *least >= 0.0 && ends.iter().all(|end| *end > DIP * least);
         is_inside.then(|| (*x, own.name.clone()))
     };
     let mut places: Vec<_> = series.iter().map(inside).collect::<Option<_>>()?;

@@ -179,7 +179,7 @@ fn by_scheme(findings: &[Comparison]) -> Table {
         of_scheme.filter_map(best).map(|run| row(comparison, run)).collect()
     };
     Table::new(
-        "Velocity level and acceleration level",
+        "The best run of each scene and level",
         "One row per scene and level, for one solver: the one that took the most steps, then among equals the \
                       one with the fewest rejected answers, then the first in the list. *largest \
                       energy change*: since the start; *drift* and *penetration* are the largest errors.",

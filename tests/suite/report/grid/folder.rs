@@ -201,6 +201,26 @@ fn exponents_are_those_of_the_two_last_points_and_the_title_states_the_ends() {
     }
 }
 
+/// A chain of ten rods needs the fewest sweeps at ω = 2 / (1 + sin(π/20)) = 1.729.
+#[test]
+fn the_title_states_where_a_measure_is_least_inside_the_axis() {
+    let text = |omegas: &str| {
+        format!(
+            "scene = 'chain'\nsteps = 1\nmeasure = ['iterations']\n[set]\ngravity = [9.81, 0, 0]\n\
+             solver.name = 'sor'\nsolver.tolerance = 1e-9\ngenerate.links = 10\n\
+             [axes]\nsolver.omega = [{omegas}]"
+        )
+    };
+    // Its right end is the least of the second axis.
+    for (omegas, is_inside) in [("1.2, 1.73, 1.95", true), ("1.2, 1.5, 1.73", false)] {
+        let (grid, path) = (grid(&text(omegas)), tempfile::tempdir().unwrap());
+        run_all(&grid, path.path());
+        let (_, [_, _, page]) = collected(&grid, &Folder::new(path.path(), &grid).unwrap());
+        assert_eq!(page.contains("iterations least at omega = 1.73"), is_inside, "{omegas}");
+        assert!(is_inside || !page.contains("iterations least at"), "{omegas}");
+    }
+}
+
 #[test]
 fn the_first_screen_states_the_finding_and_a_long_table_of_points_is_collapsed() {
     let text = |steps: &str| {

@@ -19,7 +19,7 @@ fn the_error_left_on_two_bodies_is_that_of_the_closed_form() {
         assert!((error - expected).abs() < 1e-13, "r = {r}, k = {k}: {error}, not {expected}");
         assert!((predicted.value - expected).abs() < 1e-13);
         assert_eq!(predicted.holds(error), Some(true));
-        assert_eq!(predicted.holds(error + 1e-9), Some(false), "a wrong error is told");
+        assert_eq!(predicted.holds(error + 1e-9), Some(false), "a wrong error is reported");
     }
 }
 
