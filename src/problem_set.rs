@@ -49,8 +49,8 @@ pub fn write(folder: &Path, progress: &ProgressBar) -> Result<usize> {
     file::prepare(folder, &[INDEX, CITATION])?;
     let mut problems: Vec<Problem> = library::all().flat_map(of_family).collect();
     let scenes = catalogue::SHIPPED.par_iter();
-    let steps: Vec<_> = scenes.map(|scene| STEPS.map(|k| step(scene.name, k))).collect();
-    problems.extend(steps.into_iter().flatten().flatten());
+    let steps: Vec<_> = scenes.map(|scene| steps(scene.name)).collect();
+    problems.extend(steps.into_iter().flatten());
     for frame in &Record::load(None)?.frames {
         problems.push(frame.problem()?);
     }
@@ -124,11 +124,12 @@ fn is_small(lcp: &Lcp) -> bool {
     lcp.matrix().stored() <= MOST_NUMBERS
 }
 
-/// The last LCP of a step of a shipped scene, if there is one.
-fn step(name: &str, step: usize) -> Option<Problem> {
-    let scene = Scene::load(name).ok()?;
-    let solve = Step::of(&scene, step).ok()?.solves.pop()?;
-    Some(solve.exported(&scene, step))
+/// The last LCPs of these steps of a shipped scene, up to the first step that has none or a large
+/// one: large scenes take minutes to simulate.
+fn steps(name: &str) -> Vec<Problem> {
+    let Ok(scene) = Scene::load(name) else { return Vec::new() };
+    let exported = |step| Some(Step::of(&scene, step).ok()?.solves.pop()?.exported(&scene, step));
+    STEPS.into_iter().map_while(|step| exported(step).filter(|p| is_small(&p.lcp))).collect()
 }
 
 /// Adds an exact solution to a small problem without a known one.

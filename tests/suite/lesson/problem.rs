@@ -106,15 +106,15 @@ fn a_prediction_cannot_be_found_by_halving() {
     }
 }
 
-/// The largest speed of one of three balls whose momentum is 0 and whose energy is E: v, −v/2,
-/// −v/2, so ¾ m v² = E.
+/// The largest speed of one of three balls whose momentum is 0 and whose Σ m v² is the gap: v,
+/// −v/2, −v/2, so 3/2 m v² = gap.
 #[test]
 fn right_answers_by_a_sharper_argument_or_another_sign_are_taken() {
     let all: Vec<Problem> = sets().into_iter().flat_map(|(_, problems)| problems).collect();
     let named = |id: &str| all.iter().find(|problem| problem.id == id).unwrap();
-    let sharper = (0.06_f64 / 0.75).sqrt();
+    let sharper = (0.06_f64 / 1.5).sqrt();
     assert!(matches!(named("8.p1").reply(sharper), Reply::AlsoRight(_)));
-    assert_eq!(named("8.p1").reply((2.0 * 0.06_f64).sqrt()), Reply::Right);
+    assert_eq!(named("8.p1").reply(0.06_f64.sqrt()), Reply::Right);
     // 1/m + r r₀/I = 0
     let place = -0.24 / (2.0 * 0.6);
     assert!(matches!(named("3.p1").reply(place), Reply::AlsoRight(_)));

@@ -133,7 +133,7 @@ const METHODS: [(&str, Method); 35] = [
         let x = [0.5 + p("error"), 2.0 * p("error")];
         let w = [2.0 * x[0] - x[1] - 1.0, -x[0] + 2.0 * x[1] + 0.5];
         let gap = x[0] * w[0] + x[1] * w[1];
-        zero(0.0, 10.0, |speed| gap - speed * speed / 2.0) // all of it in one ball of 1 kg
+        zero(0.0, 10.0, |speed| gap - speed * speed) // all of it in one ball of 1 kg
     }),
     ("8.p2", |p| {
         let x = [2.0 * p("p"), 0.0];

@@ -86,7 +86,7 @@ fn no_two_rows_of_a_shipped_scene_have_one_label() {
     let mut stepped = 0;
     for shipped in catalogue::SHIPPED {
         let scene = shipped.scene().unwrap();
-        let Ok(step) = Step::of(&scene, 1) else { continue };
+        let Ok(step) = Simulation::of(&scene).unwrap().step() else { continue };
         rows(&step).iter().try_for_each(|rows| unlike(&scene, rows)).unwrap();
         stepped += 1;
     }

@@ -111,7 +111,7 @@ fn mistakes_on_redundant_rows_are_named_under_every_law() {
 #[test]
 fn no_mistake_is_named_on_redundant_rows_for_answers_that_chance_made() {
     let mut accused = Vec::new();
-    for (seed, shape) in (0..200u64).flat_map(|seed| Shape::ALL.map(|shape| (seed, shape))) {
+    for (seed, shape) in (0..60u64).flat_map(|seed| Shape::ALL.map(|shape| (seed, shape))) {
         let mut generator = Rand64::new(u128::from(seed) + 400);
         let problem = cube(&mut generator);
         let start = (0..12).map(|i| f64::from(u8::from(i % 3 == 0)) * generator.rand_float());

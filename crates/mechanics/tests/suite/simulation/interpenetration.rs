@@ -366,7 +366,7 @@ fn no_shipped_scene_has_a_warning() {
         let scene = Scene::load(shipped.name).unwrap();
         let mut simulation = Simulation::of(&scene).unwrap();
         let mut warnings = Warnings::default();
-        let most = if scene.bodies.len() > 40 { 20 } else { 120 };
+        let most = if scene.bodies.len() > 40 { 5 } else { 120 };
         for _ in 0..scene.step.count.min(most) {
             let Ok(step) = simulation.step() else { break }; // painleve has no solution at some instant
             warnings.add(&scene, &step);
