@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use nalgebra::Vector3;
+
 use super::clip::Place;
 use super::colors::FORCES;
 use super::frame::{Force, Frame, Origin};
@@ -43,6 +45,23 @@ pub(super) fn largest(frames: &[Frame]) -> f64 {
 /// The length of a newton in px, for this largest force.
 pub(super) fn scale(largest: f64, lens: &Lens) -> f64 {
     LONGEST.0.min(LONGEST.1 * lens.width.min(lens.height)) / largest
+}
+
+/// The tips of the arrows in the picture plane (m), for this length of a newton (px); longer arrows
+/// than that of the largest force (N) are cut there.
+pub(super) fn tips<'a>(
+    frames: impl Iterator<Item = &'a Frame>,
+    largest: f64,
+    lens: &Lens,
+    newton: f64,
+) -> impl Iterator<Item = Vector3<f64>> {
+    let forces = frames.flat_map(|frame| &frame.forces);
+    let seen = forces.filter(|force| lens.holds(lens.place(&force.point)));
+    seen.filter_map(move |force| {
+        let cut = (largest / force.force.norm()).min(1.0);
+        let tip = force.point + force.force * (cut * newton / lens.scale);
+        tip.iter().all(|x| x.is_finite()).then(|| lens.camera.project(&tip))
+    })
 }
 
 /// The arrows of a frame in tenths of a px, with a background outline, and a dot at every contact.

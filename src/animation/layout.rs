@@ -12,10 +12,10 @@ const GAP: f64 = 6.0;
 const PADDING: f64 = 9.0;
 /// The space above a frame for its time in px.
 pub(super) const LABEL: f64 = 20.0;
-/// The target height per frame in px, and the minimum for the sheet.
-const HEIGHT: (f64, f64) = (70.0, 420.0);
-/// An additional row of frames must enlarge the picture by this factor.
-const WORTH: f64 = 1.35;
+/// The maximum height of a cell in px: so high a row can be printed below others.
+const HIGHEST: f64 = 175.0;
+/// The minimum width of a cell in px, if there are enough rows.
+const LEAST: f64 = 150.0;
 
 /// Minimum ratio of a window's height to its width, and of its width to its height.
 const FLATTEST: f64 = 0.3;
@@ -71,6 +71,14 @@ impl Window {
         Window { x: sane(x), y: sane(y) }
     }
 
+    /// The same, enlarged so that it contains these points of the picture plane (m), too.
+    pub fn containing(self, points: impl Iterator<Item = Vector3<f64>>) -> Self {
+        points.fold(self, |Window { x, y }, at| Window {
+            x: (x.0.min(at.x), x.1.max(at.x)),
+            y: (y.0.min(at.y), y.1.max(at.y)),
+        })
+    }
+
     fn size(&self) -> (f64, f64) {
         let (w, h) = (self.x.1 - self.x.0, self.y.1 - self.y.0);
         let least = FLATTEST * w.max(h).max(1e-9);
@@ -83,17 +91,14 @@ impl Window {
 }
 
 impl Layout {
-    /// The layout on a sheet of this width (px) with the fewest rows that shows the window nearly
-    /// as large as possible, in cells at least as wide as a label.
+    /// The layout on a sheet of this width (px) with the fewest rows of cells that are as wide as
+    /// a label, and wide enough for a picture.
     pub fn new(window: &Window, sheet: f64, frames: usize, label: f64) -> Self {
-        let mut best = Layout::in_rows(window, sheet, frames, 1);
-        for rows in 2..=frames {
-            let other = Layout::in_rows(window, sheet, frames, rows);
-            if best.width < label || other.scale > WORTH * best.scale {
-                best = other;
-            }
-        }
-        best
+        let layouts = (1..=frames.max(1)).map(|rows| Layout::in_rows(window, sheet, frames, rows));
+        let is_wide = |layout: &Layout| layout.width >= label.max(LEAST);
+        let mut layouts: Vec<Layout> = layouts.collect();
+        let first = layouts.iter().position(is_wide).unwrap_or(layouts.len() - 1);
+        layouts.swap_remove(first)
     }
 
     /// One frame of this width and at most this height (px).
@@ -106,11 +111,9 @@ impl Layout {
     fn in_rows(window: &Window, sheet: f64, frames: usize, rows: usize) -> Self {
         let columns = frames.max(1).div_ceil(rows);
         let rows = frames.max(1).div_ceil(columns);
-        let budget = (HEIGHT.0 * frames as f64).max(HEIGHT.1);
         let width = (sheet - 2.0 * EDGE - (columns - 1) as f64 * GAP) / columns as f64;
-        let most = budget / rows as f64 - LABEL;
         let (w, h) = window.size();
-        let scale = ((width - 2.0 * PADDING) / w).min((most - 2.0 * PADDING) / h);
+        let scale = ((width - 2.0 * PADDING) / w).min((HIGHEST - 2.0 * PADDING) / h);
         Layout { columns, rows, width, height: h * scale + 2.0 * PADDING, scale }
     }
 

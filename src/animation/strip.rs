@@ -2,7 +2,7 @@
 
 use super::ground::{self, Patch};
 use super::ink::{Ink, tenth};
-use super::layout::{LABEL, Layout, Lens};
+use super::layout::{LABEL, Layout, Lens, Window};
 use super::solid::Solid;
 use super::{Camera, Force, Frame, Origin, View, arrow, depth, extent, joint};
 use crate::body::{Body, Mass, State};
@@ -16,10 +16,10 @@ use crate::scene::Scene;
 
 /// The space above the frames in px, for the title and the scales.
 const TOP: f64 = 62.0;
-/// The width of bold text relative to normal text.
-const BOLD: f64 = 1.1;
 /// The vertical center of the line of scales in px.
 const SCALES: f64 = 48.0;
+/// The height of a further line of scales in px.
+const LINE: f64 = 20.0;
 /// The minimum length of the scale bar as a fraction of a frame's width.
 const BAR: f64 = 0.3;
 
@@ -64,8 +64,8 @@ pub struct Strip {
     pub arrows: Arrows,
     /// The text above each frame; its time by default.
     pub labels: Vec<String>,
-    /// A force that the scale of the arrows must fit, so that strips side by side share it (N).
-    pub force: f64,
+    /// The instants of other strips with which it shares the scales.
+    pub others: Vec<Frame>,
 }
 
 impl Strip {
@@ -80,7 +80,7 @@ impl Strip {
             frames,
             arrows: Arrows::Hidden,
             labels: Vec::new(),
-            force: 0.0,
+            others: Vec::new(),
         }
     }
 
@@ -221,42 +221,71 @@ impl Strip {
         let order = depth::order(&lens.camera, &solids);
         let painted: Vec<_> = order.into_iter().map(|k| &solids[k]).collect();
         ink.solids(&self.scene.bodies, &frame.heat, &painted);
-        ink.marks(&joint::marks(&self.scene, frame));
         if let Some(newton) = newton {
             ink.raw(&arrow::markup(&frame.forces, lens, newton));
         }
+        ink.marks(&joint::marks(&self.scene, frame));
         ink.finish()
     }
 
-    /// The scale bar, and an arrow of a round force for each origin.
-    fn scales(&self, canvas: &mut Canvas, frames: &[Frame], lens: &Lens, newton: Option<f64>) {
+    /// The scale bar, and an arrow of a round force for each origin, in lines of this width.
+    fn scales(&self, frames: &[Frame], lens: &Lens, newton: Option<f64>, width: f64) -> Vec<Scale> {
         let metres = round_step(BAR * lens.width / lens.scale);
-        let length = metres * lens.scale;
-        canvas.raw(&format!(
-            "<path class=\"scale\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\" \
-             d=\"M{EDGE} {y}v8m0 -4h{length:.2}m0 -4v8\"/>\n",
-            hex((INK.0, INK.1, INK.2)),
-            y = SCALES - 4.0
-        ));
-        let mut x = EDGE + length + 8.0;
-        let label = |canvas: &mut Canvas, x: &mut f64, text: &str| {
-            canvas.text((*x, SCALES + 5.0), Anchor::Start, TEXT, FAINT_INK, text);
-            *x += style::width(text, TEXT) + 22.0;
-        };
-        label(canvas, &mut x, &format!("{} m", readable(metres, 2)));
-        let Some(newton) = newton else { return };
-        let force = round_step(0.4 * arrow::largest(frames).max(self.force));
-        for origin in Origin::ALL {
-            let mut forces = frames.iter().flat_map(|frame| &frame.forces);
+        let bar = format!("{} m", readable(metres, 2));
+        let mut scales = vec![(None, metres * lens.scale, bar)];
+        if let Some(newton) = newton {
+            let force = round_step(0.4 * arrow::largest(frames).max(arrow::largest(&self.others)));
             let drawn = |force: &Force| force.force.norm() * newton >= arrow::SHORTEST;
-            if !forces.any(|force| force.origin == origin && drawn(force)) {
-                continue;
-            }
-            let arrow = arrow::sample(origin, (x, SCALES), force * newton);
-            canvas.raw(&format!("<g transform=\"scale(0.1)\">{arrow}</g>\n"));
-            x += force * newton + 8.0;
-            label(canvas, &mut x, &format!("{} {} N", origin.name(), readable(force, 2)));
+            let forces = || frames.iter().flat_map(|frame| &frame.forces).filter(|own| drawn(own));
+            let acts = |origin: &Origin| forces().any(|force| force.origin == *origin);
+            scales.extend(Origin::ALL.into_iter().filter(acts).map(|origin| {
+                let words = format!("{} {} N", origin.name(), readable(force, 2));
+                (Some(origin), force * newton, words)
+            }));
         }
+        let (mut x, mut line) = (EDGE, 0);
+        let place = |(origin, length, words): (Option<Origin>, f64, String)| {
+            let total = length + 8.0 + style::width(&words, TEXT);
+            if x + total > width && x > EDGE {
+                (x, line) = (EDGE, line + 1);
+            }
+            let at = (x, line);
+            x += total + 22.0;
+            Scale { origin, length, words, at }
+        };
+        scales.into_iter().map(place).collect()
+    }
+}
+
+/// A bar of a length, or an arrow of a force, with its words.
+struct Scale {
+    /// `None` for the bar.
+    origin: Option<Origin>,
+    length: f64,
+    words: String,
+    /// Its left end (px), and its line.
+    at: (f64, usize),
+}
+
+impl Scale {
+    /// Draws it, lower by this distance (px).
+    fn draw(&self, canvas: &mut Canvas, lower: f64) {
+        let (x, y) = (self.at.0, SCALES + lower + LINE * self.at.1 as f64);
+        match self.origin {
+            None => canvas.raw(&format!(
+                "<path class=\"scale\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\" \
+                 d=\"M{x} {:.1}v8m0 -4h{:.2}m0 -4v8\"/>\n",
+                hex((INK.0, INK.1, INK.2)),
+                y - 4.0,
+                self.length
+            )),
+            Some(origin) => {
+                let arrow = arrow::sample(origin, (x, y), self.length);
+                canvas.raw(&format!("<g transform=\"scale(0.1)\">{arrow}</g>\n"));
+            }
+        }
+        let at = (x + self.length + 8.0, y + 5.0);
+        canvas.text(at, Anchor::Start, TEXT, FAINT_INK, &self.words);
     }
 }
 
@@ -283,22 +312,30 @@ impl Figure for Strip {
         let labels: Vec<String> = finite().map(label).collect();
         let widest = labels.iter().map(|label| style::width(label, TEXT)).fold(0.0, f64::max);
         let camera = Camera::new(self.view);
-        let landmarks = extent::landmarks(&self.scene, &frames);
+        let all: Vec<Frame> = frames.iter().chain(&self.others).cloned().collect();
+        let landmarks = extent::landmarks(&self.scene, &all);
         let patches = ground::patches(&self.scene, &landmarks);
         let window = ground::window(&camera, landmarks, &patches);
-        let layout = Layout::new(&window, width, frames.len(), widest);
-        let lens = layout.lens(camera, &window);
-        let largest = arrow::largest(&frames).max(self.force);
+        let count = frames.len();
+        let lens = |window: &Window| Layout::new(window, width, count, widest).lens(camera, window);
+        let first = lens(&window);
+        let largest = arrow::largest(&all);
         let shown = self.arrows == Arrows::Shown && largest > 0.0;
-        let newton = shown.then(|| arrow::scale(largest, &lens));
+        let newton = if shown { arrow::scale(largest, &first) } else { 0.0 };
+        // The picture contains the arrows.
+        let window = window.containing(arrow::tips(all.iter(), largest, &first, newton));
+        let layout = Layout::new(&window, width, count, widest);
+        let lens = lens(&window);
+        let newton = shown.then_some(newton * lens.scale / first.scale);
 
-        let mut canvas = Canvas::new(width, TOP + layout.total() + EDGE);
-        let fit = (width - 2.0 * EDGE) / (BOLD * style::width(&self.title, style::TITLE));
-        let size = style::TITLE * fit.min(1.0);
-        canvas.text((EDGE, 26.0), Anchor::Start, size, INK, &self.title);
-        self.scales(&mut canvas, &frames, &lens, newton);
+        let scales = self.scales(&frames, &lens, newton, width - EDGE);
+        let top = TOP + LINE * scales.last().map_or(0, |scale| scale.at.1) as f64;
+        let height = top + layout.total() + EDGE;
+        let (mut canvas, lower) = Canvas::titled(width, height, &self.title);
+        let top = top + lower;
+        scales.iter().for_each(|scale| scale.draw(&mut canvas, lower));
         for (k, (frame, label)) in frames.iter().zip(&labels).enumerate() {
-            let (x, y) = layout.corner(k, TOP);
+            let (x, y) = layout.corner(k, top);
             canvas.text((x + 2.0, y - LABEL + 14.0), Anchor::Start, TEXT, FAINT_INK, label);
             canvas.raw(&format!(
                 "<g class=\"instant\" transform=\"translate({x:.1} {y:.1}) scale(0.1)\" \
@@ -313,11 +350,6 @@ impl Figure for Strip {
             ));
         }
         canvas.finish(id, &self.title, &self.description(&frames))
-    }
-
-    /// None: the names of the forces do not fit beside each other on a phone.
-    fn narrow(&self) -> Option<String> {
-        None
     }
 
     /// One record per frame and body: its pose.

@@ -19,18 +19,15 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
     let name = if problem.name.is_empty() { "a problem" } else { &problem.name };
     let claim = Block::Proof(page::Proof {
         problem: problem.to_json().to_string(),
-        claim: proof.sentence(),
         text: text.to_string(),
     });
-    let how = "The button runs a checker that is part of this page. It uses integer arithmetic and shares no code with \
-               lcplab; its source is at the end of this file. The page contains the problem and the proof.";
     let section = |id: &str, title: &str, blocks| Section {
         id: id.into(),
         title: title.into(),
         blocks,
         ..Section::default()
     };
-    let mut sections = vec![section("proof", "The proof", vec![claim, Block::Note(how.into())])];
+    let mut sections = vec![section("proof", "The proof", vec![claim])];
     let numbers = numbers(problem, &proof.claim);
     if !numbers.is_empty() {
         sections.push(section("numbers", "What the proof consists of", numbers));

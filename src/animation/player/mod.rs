@@ -10,10 +10,10 @@ mod chart;
 mod data;
 mod stage;
 
+use super::extent;
 use super::frame::{Frame, instants};
 use super::strip::Strip;
 use super::{Camera, View};
-use super::{arrow, extent};
 use crate::body::{Body, Mass};
 use crate::number::readable;
 use crate::page::{Chart, DrawnAnimation, Pane};
@@ -29,6 +29,8 @@ use stage::Stage;
 const SAMPLES: (usize, usize) = (151, 600);
 /// Number of instants in the strip shown where the animation cannot be played.
 const STILLS: usize = 5;
+/// Motions up to this many times the size of the smallest share the scale of their strips.
+const CALM: f64 = 2.5;
 /// The largest number of moving bodies whose motion is visible in one picture.
 const FEW: usize = 2;
 /// Names whose colors are used for variants of one name.
@@ -283,13 +285,23 @@ impl Animation {
 
     /// Some instants of a recording as a picture.
     pub(crate) fn strip(&self, recording: usize) -> Strip {
-        let largest = |recording: &Recording| arrow::largest(&recording.stills());
+        let stills: Vec<Vec<Frame>> = self.recordings.iter().map(Recording::stills).collect();
+        let sizes: Vec<f64> = stills
+            .iter()
+            .map(|frames| extent::size(&extent::landmarks(&self.scene, frames)))
+            .collect();
+        // A motion that explodes has a scale of its own.
+        let least = sizes.iter().copied().fold(f64::INFINITY, f64::min);
+        let is_calm = |k: usize| sizes[k] <= CALM * least;
+        let others = (0..stills.len()).filter(|&k| is_calm(recording) && is_calm(k));
         let strip = Strip {
             id: format!("{}-{recording}", self.id),
             title: self.recordings[recording].name.clone(),
             view: self.view,
-            force: self.recordings.iter().map(largest).fold(0.0, f64::max),
-            ..Strip::new(&self.scene, self.recordings[recording].stills())
+            others: others
+                .flat_map(|k| stills[k].iter().filter(|frame| frame.is_finite()).cloned())
+                .collect(),
+            ..Strip::new(&self.scene, stills[recording].clone())
         };
         strip.with_forces()
     }

@@ -13,7 +13,7 @@ use crate::animation::extent::Landmark;
 use crate::animation::frame::Origin;
 use crate::animation::ground::{self, Patch};
 use crate::animation::ink::{Ink, heaviest};
-use crate::animation::layout::{Layout, Lens};
+use crate::animation::layout::{Layout, Lens, Window};
 use crate::number::readable;
 use crate::plot::canvas::hex;
 use crate::plot::round_step;
@@ -74,14 +74,21 @@ impl Stage {
         let origins: Vec<Origin> = Origin::ALL.into_iter().filter(acts).collect();
         let is_narrow = across < ONE_LINE && origins.len() > 1;
         let foot = FOOT + if heaviest.is_some() || is_narrow { LINE } else { 0.0 };
-        let lens = Layout::single(&window, across, highest).lens(camera, &window).with_foot(foot);
-        let (x, y) = lens.middle();
-        let pivot = camera.world(&Vector3::new(x, y, depth));
+        let lens = |window: &Window| Layout::single(window, across, highest).lens(camera, window);
         let largest = |sample: &super::Sample| arrow::largest(std::slice::from_ref(&sample.frame));
         let mut forces: Vec<f64> = samples().map(largest).filter(|force| *force > 0.0).collect();
         forces.sort_by(f64::total_cmp);
         let usual = forces.get((USUAL * forces.len() as f64) as usize).copied().unwrap_or(0.0);
-        let newton = (usual > 0.0).then(|| arrow::scale(usual, &lens));
+        // The picture contains the usual arrows.
+        let first = lens(&window);
+        let newton = if usual > 0.0 { arrow::scale(usual, &first) } else { 0.0 };
+        let frames = samples().map(|sample| &sample.frame);
+        let window = window.containing(arrow::tips(frames, usual, &first, newton));
+        let last = lens(&window);
+        let newton = (usual > 0.0).then_some(newton * last.scale / first.scale);
+        let lens = last.with_foot(foot);
+        let (x, y) = lens.middle();
+        let pivot = camera.world(&Vector3::new(x, y, depth));
         Stage { lens, newton, patches, pivot, origins, usual, heaviest, is_narrow }
     }
 

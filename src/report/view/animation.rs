@@ -13,16 +13,13 @@ use crate::report::study::animation::{AnimationData, Plan};
 
 /// The explanation of the controls, for the caption.
 const HOW: &str = "Arrows are forces on the moving body.";
-/// The same for the curves, if there are any.
-const HOW_TO_JUMP: &str = " Click a curve to jump to that time.";
 
 impl ReportPage {
     /// Adds an animation as a separate section.
     pub(crate) fn animation(&mut self, animation: &Animation, caption: &str) {
         self.open("animation", "The motion");
         let drawn = animation.drawn();
-        let jump = if drawn.charts.is_empty() { "" } else { HOW_TO_JUMP };
-        self.player(drawn, format!("{caption} {HOW}{jump}"));
+        self.player(drawn, format!("{caption} {HOW}"));
     }
 
     /// Adds an animation from a recorded motion.
@@ -60,11 +57,7 @@ impl View for Plan {
 /// The page of one simulation: its animation and its totals; its tables are next to it.
 pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     let scene = animation.scene.clone();
-    let page = Page {
-        title: scene.title.clone(),
-        lead: markup::literal(scene.teaches.trim()),
-        ..Page::default()
-    };
+    let page = Page { title: scene.title.clone(), lead: lead(record), ..Page::default() };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     document.page.opening.push(Block::Tiles(tiles(record)));
     document.animation(&animation, "The simulated motion over time.");
@@ -80,7 +73,29 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     document.add(Block::Table(totals(record)));
     document.open("end", "The bodies at the end");
     document.add(Block::Table(at_the_end(record)));
+    if !scene.teaches.trim().is_empty() {
+        document.open("scene", "About the scene");
+        document.text(markup::literal(scene.teaches.trim()));
+    }
     document.page
+}
+
+/// What was run, and the measures of its motion.
+fn lead(record: &Record) -> String {
+    let totals = record.totals();
+    let value = |wanted: &str| {
+        let value = totals.iter().find(|(name, _)| *name == wanted).map_or("", |(_, value)| value);
+        value.split([';', '\n']).next().unwrap_or_default().to_string()
+    };
+    let measures = ["energy", "drift", "penetration"].map(|name| (name, value(name)));
+    let measured = measures.iter().filter(|(_, value)| !value.starts_with("at most 0 m"));
+    let measured: Vec<String> = measured.map(|(name, value)| format!("{name} {value}")).collect();
+    format!(
+        "**Steps: {}; scheme {}:** {}.",
+        markup::literal(&value("steps")),
+        markup::literal(&value("scheme")),
+        markup::literal(&measured.join("; "))
+    )
 }
 
 /// Whether to trust the run: the judge's verdicts, and what needs attention.
@@ -89,7 +104,7 @@ fn tiles(record: &Record) -> Vec<Tile> {
         value,
         label: label.into(),
         section: "totals".into(),
-        good,
+        good: Some(good),
     };
     let [accepted, solves] = record.verdicts();
     let answers = tile(
@@ -110,7 +125,7 @@ fn tiles(record: &Record) -> Vec<Tile> {
 fn at_the_end(record: &Record) -> Table {
     let (moving, more) = record.listed();
     let vector = |v: &Vector3<f64>| {
-        let parts = [v.x, v.y, v.z].map(|x| readable(if x.abs() < 5e-6 { 0.0 } else { x }, 5));
+        let parts = [v.x, v.y, v.z].map(|x| readable(if x.abs() < 5e-4 { 0.0 } else { x }, 3));
         Cell::text(format!("({})", parts.join(", ")))
     };
     let row = |(body, state): (&Body, &State)| {

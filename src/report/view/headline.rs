@@ -15,6 +15,8 @@ pub struct Headline {
     pub table: Option<(String, Table)>,
     /// The result of its checks, as a number and what it counts.
     pub result: Option<[String; 2]>,
+    /// Whether the result is mixed although the checks pass.
+    pub is_mixed: bool,
 }
 
 impl Headline {
@@ -39,6 +41,7 @@ impl Top {
     /// section has given an answer.
     pub fn add(&mut self, headline: Headline, section: &str, good: bool) -> Headline {
         self.tables.extend(headline.table);
+        let good = if good && headline.is_mixed { None } else { Some(good) };
         let tile =
             |[value, label]: [String; 2]| Tile { value, label, section: section.into(), good };
         self.tiles.extend(headline.result.map(tile));

@@ -154,6 +154,14 @@ pub fn document(results: &Results) -> Result<ReportPage> {
         if part.shown.times {
             times(&mut document, &experiment, results)?;
         }
+        // The first figure is the evidence; it stays open, before what is folded.
+        let is_figure = |block: &Block| matches!(block, Block::Figure(_));
+        let blocks = &mut document.page.sections[first].blocks;
+        let figure = blocks.iter().skip(open).position(is_figure);
+        if let (Some(Fold::All), Some(figure)) = (part.shown.fold, figure) {
+            blocks[open..=open + figure].rotate_right(1);
+        }
+        let open = open + usize::from(figure.is_some());
         for (k, shown) in document.page.sections[first..].iter_mut().enumerate() {
             match part.shown.fold {
                 None => {}

@@ -235,3 +235,56 @@ fn a_body_that_outweighs_all_others_tenfold_is_marked_with_its_mass() {
     };
     assert_eq!([1.0, 9.9, 10.0, 0.1].map(marks), [false, false, true, true]);
 }
+
+/// The number behind a key of the first tag with it.
+fn number(text: &str, key: &str) -> f64 {
+    let value = text.split(key).nth(1).unwrap();
+    value.split(['"', 'm', 'v']).next().unwrap().parse().unwrap()
+}
+
+#[test]
+fn the_strips_of_an_animation_are_one_row_each_at_one_scale_with_7_pt() {
+    let strips = animation("pyramid", 21).drawn().strips;
+    let bars: Vec<f64> = strips.iter().map(|strip| number(strip, "0 -4h")).collect();
+    assert_eq!(bars.len(), 2);
+    assert_eq!(bars[0], bars[1], "px of a meter");
+    for strip in &strips {
+        let starts = strip.split("class=\"instant\"").skip(1);
+        let heights: Vec<&str> = starts
+            .map(|start| {
+                let at = start.split("translate(").nth(1).unwrap().split(')').next().unwrap();
+                at.split_once(' ').unwrap().1
+            })
+            .collect();
+        assert_eq!(heights.len(), 5);
+        assert!(heights.iter().all(|height| *height == heights[0]), "{heights:?}");
+        // On a sheet of 182 mm in at most 62 mm of height, text of 14 px.
+        let [wide, high] = [" width=\"", " height=\""].map(|key| number(strip, key));
+        let mm = f64::min(182.0 / wide, 62.0 / high);
+        assert!(14.0 * mm * 72.0 / 25.4 >= 7.0, "{wide} × {high}");
+    }
+}
+
+#[test]
+fn arrows_stay_in_the_picture_and_do_not_hide_what_holds_a_chain() {
+    let strip = &animation("chain", 21).drawn().strips[0];
+    for frame in strip.split("class=\"instant\"").skip(1) {
+        let frame = frame.split("</g>\n<text").next().unwrap();
+        // The border: M0 0h{w}v{h}, in tenths of a px.
+        let border = frame.split("M0 0h").nth(1).unwrap();
+        let (wide, rest) = border.split_once('v').unwrap();
+        let high: f64 = rest.split('h').next().unwrap().parse().unwrap();
+        let wide: f64 = wide.parse().unwrap();
+        let heads = frame.split("<path stroke=\"none\"").skip(1);
+        let heads = heads.flat_map(|path| path.split(" d=\"").nth(1).unwrap().split('"').next());
+        let starts = heads.flat_map(|path| path.split('M').skip(1));
+        for tip in starts {
+            let mut numbers = tip.split(|c: char| !(c.is_ascii_digit() || c == '-' || c == '.'));
+            let (x, y): (f64, f64) = (
+                numbers.next().unwrap().parse().unwrap(),
+                numbers.next().unwrap().parse().unwrap(),
+            );
+            assert!((-1.0..wide + 1.0).contains(&x) && (-1.0..high + 1.0).contains(&y), "{x} {y}");
+        }
+    }
+}

@@ -115,7 +115,9 @@ fn the_top_of_a_report_counts_confirmed_answers_and_names_what_was_not_solved() 
     let mut comparison = compared(&["dantzig"]);
     let run = &mut comparison.runs[0];
     (run.tally.solves, run.tally.claimed, run.tally.rejected_claims) = (10, 8, 1);
-    let [value, label] = plan.headline(&[comparison]).result.unwrap();
-    assert_eq!(value, "7 of 8");
-    assert!(label.ends_with("; 2 problems not solved"), "{label}");
+    let headline = plan.headline(&[comparison]);
+    let [value, label] = headline.result.unwrap();
+    assert!(headline.is_mixed);
+    assert_eq!(value, "7 solved, 2 not");
+    assert!(label.ends_with("accepts 7 of 8 claimed answers"), "{label}");
 }

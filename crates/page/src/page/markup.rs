@@ -35,6 +35,9 @@ pub fn literal(text: &str) -> String {
 /// At the start of a text, it prevents a list or a heading.
 const WORD_JOINER: &str = "\u{2060}";
 
+/// Signs that stay with the formula before them.
+const PUNCTUATION: [char; 5] = [',', '.', ';', ':', ')'];
+
 /// Turns markup into HTML and equations into MathML. An error is a sentence that quotes the invalid
 /// part.
 #[derive(Default)]
@@ -63,16 +66,36 @@ impl Renderer {
         Ok(html.trim_end().trim_start_matches("<p>").trim_end_matches("</p>").to_string())
     }
 
-    /// A displayed equation.
+    /// A displayed equation; on a narrow screen its parts, between spaces of a quad, stand below
+    /// each other.
     pub fn equation(&self, latex: &str) -> Result<String, String> {
-        self.mathml(latex, MathDisplay::Block)
+        let spaces = latex.replace("\\qquad", "\\quad");
+        let is_nested = ["\\begin", "\\left", "\\text"].iter().any(|word| latex.contains(word));
+        let parts = match is_nested {
+            true => vec![latex],
+            false => spaces.split("\\quad").filter(|part| !part.trim().is_empty()).collect(),
+        };
+        let math = parts.into_iter().map(|part| self.mathml(part, MathDisplay::Block));
+        Ok(format!("<span class=\"parts\">{}</span>", math.collect::<Result<String, String>>()?))
     }
 
     fn events<'a>(&self, text: &'a str) -> Result<Vec<Event<'a>>, String> {
         let options = Options::ENABLE_MATH | Options::ENABLE_TABLES;
         let (mut events, mut pictures) = (Vec::new(), Pictures::default());
         for (event, range) in Parser::new_ext(text, options).into_offset_iter() {
-            events.extend(pictures.linked(self.event(event, text, range.start)?));
+            let event = self.event(event, text, range.start)?;
+            match (events.last_mut(), event) {
+                // A line does not begin with the comma after a formula.
+                (Some(Event::InlineHtml(math)), Event::Text(words))
+                    if math.ends_with("</math>") && words.starts_with(PUNCTUATION) =>
+                {
+                    let length = words.chars().take_while(|c| PUNCTUATION.contains(c)).count();
+                    let (sign, rest) = words.split_at(length);
+                    *math = format!("<span class=\"nobr\">{math}{sign}</span>").into();
+                    events.push(Event::Text(rest.to_string().into()));
+                }
+                (_, event) => events.extend(pictures.linked(event)),
+            }
         }
         Ok(events)
     }
@@ -83,7 +106,7 @@ impl Renderer {
         let html = |mathml: String| Event::InlineHtml(CowStr::from(mathml));
         match event {
             Event::InlineMath(latex) => self.mathml(&latex, MathDisplay::Inline).map(html),
-            Event::DisplayMath(latex) => self.mathml(&latex, MathDisplay::Block).map(html),
+            Event::DisplayMath(latex) => self.equation(&latex).map(html),
             Event::Html(tag) => Ok(fold(&tag).map_or(Event::Text(tag), Event::Html)),
             Event::InlineHtml(tag) => Ok(Event::Text(tag)),
             Event::Start(Tag::Link { ref dest_url, .. } | Tag::Image { ref dest_url, .. }) => {

@@ -30,7 +30,7 @@ pub use render::base64;
 /// let (id, title) = ("judge".into(), "The judge".into());
 /// let section = Section { id, title, blocks: vec![text], ..Section::default() };
 /// let page = Page { title: "Report".into(), sections: vec![section], ..Page::default() };
-/// assert!(page.render()?.contains("<em>natural residual</em> is <math>"));
+/// assert!(page.render()?.contains("<em>natural residual</em> is <span class=\"nobr\"><math>"));
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Default)]
@@ -172,8 +172,8 @@ pub struct Tile {
     pub label: String,
     /// The id of the section.
     pub section: String,
-    /// Whether it is as it should be.
-    pub good: bool,
+    /// Whether it is as it should be; `None` for a mixed result.
+    pub good: Option<bool>,
 }
 
 /// A small picture with a title, which opens a block.
@@ -210,8 +210,6 @@ pub struct Live {
 pub struct Proof {
     /// The problem file, as text.
     pub problem: String,
-    /// The claim it proves, in a sentence.
-    pub claim: String,
     /// The proof file, as text.
     pub text: String,
 }

@@ -42,7 +42,7 @@ const remembered = (use) => { try { return use(localStorage); } catch { return n
 }
 
 { // What can be scrolled to one side shows it there, and the keyboard can scroll it.
-  const frames = document.querySelectorAll(".scroll, .equation, p:has(> math[display='block']), pre");
+  const frames = document.querySelectorAll(".scroll, .equation, p:has(> .parts), pre");
   const marked = (frame) => {
     const rest = frame.scrollWidth - frame.clientWidth - frame.scrollLeft;
     frame.classList.toggle("more-left", frame.scrollLeft > 1);

@@ -200,7 +200,7 @@ function posed(animation, recording) {
 
 // One recording in its pane, with the outlines of another one's bodies where they differ visibly.
 function stage(animation, recording, pane, other) {
-  const [bodies, ghosts, forces, values] = [".bodies", ".ghosts", ".acting", ".values"].map((name) => pane.querySelector(name));
+  const [bodies, ghosts, forces, pins, values] = [".bodies", ".ghosts", ".acting", ".pins", ".values"].map((name) => pane.querySelector(name));
   const count = recording.forces.length;
   const pose = posed(animation, recording), elsewhere = other && posed(animation, other);
   const heats = recording.heat.map((list) => grown(list, count));
@@ -233,7 +233,8 @@ function stage(animation, recording, pane, other) {
           rod: joint.bodies, draw: () => rod(animation, ends[k]) }]
       : []);
     const solids = animation.bodies.flatMap((_, k) => moved(k)).concat(rods);
-    bodies.innerHTML = painted(animation, solids).map((own) => own.draw()).join("") + marks(animation, ends);
+    bodies.innerHTML = painted(animation, solids).map((own) => own.draw()).join("");
+    pins.innerHTML = marks(animation, ends);
     ghosts.innerHTML = elsewhere ? animation.bodies.map((_, k) => ghost(animation, k, places[k], elsewhere(k, asked))).join("") : "";
     forces.innerHTML = arrows(animation, recording.forces[now]);
     const shown = animation.measures.map((measure, m) =>
@@ -260,7 +261,8 @@ const turned = ([w, ...v], p) => {
   const t = cross(v, p).map((x) => 2 * x);
   return plus(plus(p, t.map((x) => w * x)), cross(v, t));
 };
-const moves = (parts) => !parts.some((part) => part.fixed);
+// A plane has no parts.
+const moves = (parts) => parts.length > 0 && !parts.some((part) => part.fixed);
 // How many moving bodies are outside the picture.
 const outside = (animation, places) => animation.bodies.filter((parts, k) => moves(parts) && parts.every((part) =>
   part.corners.every((corner) => {

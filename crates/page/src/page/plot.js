@@ -28,7 +28,11 @@
   // The axis called x or y: its words, and the place in px of a value between two edges.
   const axis = (panel, name, from, to) => {
     const [scale, lo, hi] = panel.dataset[name].split(" ");
-    const position = (value) => (scale === "log" ? Math.log10(value) : value);
+    const [kind, power] = scale.split(":");
+    const position = (value) => {
+      if (kind === "symmetric") return Math.sign(value) * Math.log10(1 + Math.abs(value) / 10 ** power);
+      return kind === "log" ? Math.log10(value) : value;
+    };
     const place = (value) => from + ((position(value) - lo) / (hi - lo)) * (to - from);
     return { name: panel.dataset[`${name}Name`], unit: panel.dataset[`${name}Unit`], place };
   };

@@ -114,17 +114,14 @@ struct TableView<'a> {
 }
 
 impl Page {
-    /// Whether it is printed in two columns: it has figures that fit them, and no programs, whose
-    /// lines need the width of a sheet.
+    /// Whether it is printed in two columns: it has figures that fit them, and no programs to read,
+    /// whose lines need the width of a sheet.
     fn has_columns(&self) -> bool {
         let any = |is: fn(&Block) -> bool| self.sections.iter().flat_map(|s| &s.blocks).any(is);
         any(|block| matches!(block, Block::Figure(picture) if picture.narrow.is_some()))
             && !any(|block| {
-                use Block::{Code, FoldedCode, Proof, Python, Twin};
-                matches!(
-                    block,
-                    Code { .. } | FoldedCode { .. } | Proof(_) | Python { .. } | Twin { .. }
-                )
+                use Block::{Code, Proof, Python, Twin};
+                matches!(block, Code { .. } | Proof(_) | Python { .. } | Twin { .. })
             })
     }
 
@@ -376,7 +373,7 @@ impl Writer {
 fn tiles(list: &[Tile]) -> String {
     let tile = |tile: &Tile| {
         let Tile { value, label, section, good } = tile;
-        let class = if *good { "good" } else { "bad" };
+        let class = good.map_or("mixed", |good| if good { "good" } else { "bad" });
         format!(
             "<li><a href=\"#{}\"><b class=\"{class}\">{}</b> {}</a></li>\n",
             html(section),

@@ -33,7 +33,16 @@ pub enum Scale {
     Linear,
     /// Equal ratios have equal distances; only positive values can be shown.
     Log,
+    /// Linear up to about this power of ten, logarithmic beyond it, for values of both signs.
+    Symmetric(i32),
 }
+
+/// The largest value is this many times the median on an axis that is not linear.
+const FLATTENED: f64 = 20.0;
+/// Values below this part of the largest are rounding errors.
+const ROUNDING: f64 = 1e-9;
+/// The maximum number of decades that an axis of values of both signs shows.
+const DECADES: i32 = 5;
 
 /// A labeled position on an axis.
 pub struct Tick {
@@ -52,6 +61,34 @@ impl Axis {
     /// A logarithmic axis.
     pub fn log(label: impl Into<String>, unit: impl Into<String>) -> Self {
         Axis { label: label.into(), unit: unit.into(), scale: Scale::Log, is_to_scale: false }
+    }
+
+    /// A linear axis, or a symmetric one if the largest of these magnitudes, one of each curve,
+    /// would hide the others.
+    ///
+    /// ```
+    /// use lcplab_page::plot::{Axis, Scale};
+    ///
+    /// let axis = |sizes: &[f64]| Axis::fitting("drift", "mm", sizes.iter().copied()).scale;
+    /// assert_eq!(axis(&[1.0, 2.0, 3.0]), Scale::Linear);
+    /// assert_eq!(axis(&[1.0, 2.0, 3000.0]), Scale::Symmetric(0));
+    /// ```
+    pub fn fitting(
+        label: impl Into<String>,
+        unit: impl Into<String>,
+        sizes: impl Iterator<Item = f64>,
+    ) -> Self {
+        let mut sizes: Vec<f64> = sizes.filter(|size| size.is_finite() && *size > 0.0).collect();
+        sizes.sort_by(f64::total_cmp);
+        let most = sizes.last().copied().unwrap_or(0.0);
+        sizes.retain(|size| *size > ROUNDING * most);
+        let middle = sizes.get(sizes.len().saturating_sub(1) / 2).copied().unwrap_or(most);
+        let linear = Axis::linear(label, unit);
+        if most < FLATTENED * middle || most == 0.0 {
+            return linear;
+        }
+        let power = |size: f64| size.log10().floor() as i32;
+        Axis { scale: Scale::Symmetric(power(middle).max(power(most) - DECADES)), ..linear }
     }
 
     /// A linear y axis on which a unit has the same length as on the x axis, as on a map.
@@ -75,6 +112,9 @@ impl Scale {
         let position = match self {
             Scale::Linear => value,
             Scale::Log => value.log10(),
+            Scale::Symmetric(power) => {
+                value.signum() * (1.0 + value.abs() / 10f64.powi(power)).log10()
+            }
         };
         // Above 1e300 the length of the axis itself would overflow.
         (position.is_finite() && position.abs() < 1e300).then_some(position)
@@ -92,7 +132,7 @@ impl Scale {
             _ if length > 1e-12 * hi.abs().max(lo.abs()) => 0.04 * length,
             Scale::Linear if hi != 0.0 => 0.1 * hi.abs(),
             Scale::Linear => 1.0,
-            Scale::Log => 0.5,
+            Scale::Log | Scale::Symmetric(_) => 0.5,
         };
         Some((lo - margin, hi + margin))
     }
@@ -103,7 +143,26 @@ impl Scale {
             Scale::Log if hi - lo > 2.2 => decades(lo, hi, wanted),
             Scale::Log => parts_of_decades(lo, hi),
             Scale::Linear => round_numbers(lo, hi, wanted),
+            Scale::Symmetric(power) => self.both_signs((lo, hi), power, wanted),
         }
+    }
+}
+
+impl Scale {
+    /// Zero, and powers of ten above the linear part.
+    fn both_signs(self, (lo, hi): (f64, f64), power: i32, wanted: usize) -> Vec<Tick> {
+        let at = |exponent: i32| self.position(10f64.powi(exponent)).unwrap_or(f64::INFINITY);
+        let most = f64::max(-lo, hi);
+        let last = (power + 1..).take_while(|exponent| at(*exponent) <= most).count();
+        let signs = if lo < -at(power + 1) && hi > at(power + 1) { 2 } else { 1 };
+        let step = (signs * last).div_ceil(wanted.max(1)).max(1);
+        let tick = |exponent: i32| {
+            let (at, label) = (at(exponent), power_of_ten(exponent));
+            [Tick { at: -at, label: format!("−{label}") }, Tick { at, label }]
+        };
+        let powers = (power + 1..=power + last as i32).rev().step_by(step).flat_map(tick);
+        let zero = Tick { at: 0.0, label: "0".into() };
+        powers.chain([zero]).filter(|tick| (lo..=hi).contains(&tick.at)).collect()
     }
 }
 
@@ -117,8 +176,12 @@ pub fn round_step(rough: f64) -> f64 {
 
 fn round_numbers(lo: f64, hi: f64, wanted: usize) -> Vec<Tick> {
     let rough = (hi - lo) / wanted.max(1) as f64;
-    let step = round_step(rough);
-    let (first, last) = ((lo / step).ceil(), (hi / step).floor());
+    let ends = |step: f64| ((lo / step).ceil(), (hi / step).floor());
+    // Two ticks are too few to read a value.
+    let is_enough = |step: &f64| ends(*step).1 - ends(*step).0 >= 2.0;
+    let steps = [1.0, 2.0, 4.0].map(|part| round_step(rough / part));
+    let step = steps.into_iter().find(is_enough).unwrap_or(steps[2]);
+    let (first, last) = ends(step);
     if !(step > 0.0 && last - first <= 100.0) {
         return Vec::new();
     }

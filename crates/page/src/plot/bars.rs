@@ -21,6 +21,9 @@ const NAME: f64 = 16.0;
 /// The color of a bar without accent.
 const GRAY: (u8, u8, u8) = (128, 134, 144);
 const PITCH: f64 = 24.0;
+/// More bars are closer, so that they fit a part of a printed sheet.
+const MANY: usize = 20;
+const CLOSE: f64 = 18.0;
 const TOP: f64 = 46.0;
 /// The space above the bars for the name of the limit in px.
 const LABEL: f64 = 16.0;
@@ -67,7 +70,9 @@ impl Bars {
         let values = own.chain(limit);
         let positions = values.filter_map(|value| scale.position(value));
         match scale {
-            Scale::Linear => scale.range(positions.chain([0.0])).unwrap_or((0.0, 1.0)),
+            Scale::Linear | Scale::Symmetric(_) => {
+                scale.range(positions.chain([0.0])).unwrap_or((0.0, 1.0))
+            }
             Scale::Log => scale.range(positions).unwrap_or((0.0, 1.0)),
         }
     }
@@ -92,7 +97,8 @@ impl Figure for Bars {
         // On a narrow picture long names stand above their bars.
         let is_above = wide < style::WIDTH && longest > MOST_BESIDE * wide;
         let left = style::EDGE + 12.0 + if is_above { 0.0 } else { longest.min(260.0) };
-        let (above, pitch) = if is_above { (NAME, PITCH + NAME) } else { (0.0, PITCH) };
+        let row = if self.bars.len() > MANY { CLOSE } else { PITCH };
+        let (above, pitch) = if is_above { (NAME, row + NAME) } else { (0.0, row) };
         let tall = pitch * self.bars.len().max(1) as f64;
         let head = if self.limit.is_some() { TOP + LABEL } else { TOP };
         let (mut canvas, lower) = Canvas::titled(wide, head + tall + 58.0, &self.title);
@@ -127,7 +133,7 @@ impl Figure for Bars {
             description += &format!("{name} {}; ", readable(*value, 3));
         }
         for (k, bar) in self.bars.iter().enumerate() {
-            let middle = top + pitch * k as f64 + above + PITCH / 2.0;
+            let middle = top + pitch * k as f64 + above + row / 2.0;
             let (from, _) = frame.place((start, 0.0));
             let end = self.x.scale.position(bar.value).map(|at| frame.place((at, 0.0)).0);
             let to = end.unwrap_or(from);
@@ -158,7 +164,7 @@ impl Figure for Bars {
             canvas.raw("</g>\n");
             let amount = readable(bar.value, 3);
             let (name, anchor) = match is_above {
-                true => ((left, middle - PITCH / 2.0), Anchor::Start),
+                true => ((left, middle - row / 2.0), Anchor::Start),
                 false => ((left - 10.0, middle + 5.0), Anchor::End),
             };
             canvas.text(name, anchor, TEXT, INK, &bar.name);

@@ -80,18 +80,22 @@ impl Frame {
 /// canvas.raw(&format!(r#"<path d="M0 0H100" stroke="{}"/>"#, hex((0, 114, 178))));
 /// canvas.text((50.0, 20.0), Anchor::Middle, 12.0, INK, "9.81 m/s²");
 /// let svg = canvas.finish("g", "Gravity", "A line and a number.");
+/// let (_, more) = Canvas::titled(100.0, 50.0, "A title of several lines");
+/// assert!(more > 0.0); // px
 /// assert!(svg.starts_with("<svg") && svg.contains("#0072b2") && svg.contains("9.81 m/s²"));
 /// ```
 pub struct Canvas {
     width: f64,
     height: f64,
     body: String,
+    /// Whether a printed page shows the wide picture in place of this narrow one.
+    pub(super) is_printed_wide: bool,
 }
 
 impl Canvas {
     /// An empty canvas of this width and height (px).
     pub fn new(width: f64, height: f64) -> Self {
-        let mut canvas = Canvas { width, height, body: String::new() };
+        let mut canvas = Canvas { width, height, body: String::new(), is_printed_wide: false };
         let corner = (fine(width), fine(height));
         canvas.layer("class=\"paper\"", |layer| {
             layer.draw(&Rectangle::new([(0, 0), corner], PAPER.filled()))
@@ -101,7 +105,7 @@ impl Canvas {
 
     /// A canvas of this width, with a title in as many lines as it needs; `height` is that below
     /// the first line. Returns the height (px) of its other lines, too.
-    pub(super) fn titled(width: f64, height: f64, title: &str) -> (Self, f64) {
+    pub fn titled(width: f64, height: f64, title: &str) -> (Self, f64) {
         let lines = style::balanced(title, style::TITLE * BOLD, width - 2.0 * style::EDGE);
         let more = LINE * lines.len().saturating_sub(1) as f64;
         let mut canvas = Canvas::new(width, height + more);
@@ -170,7 +174,8 @@ impl Canvas {
     pub fn finish(self, id: &str, title: &str, description: &str) -> String {
         let title = if title.is_empty() { description } else { title };
         let (id, title, description) = (escape(id), escape(title), escape(description));
-        let class = if self.height > TALL * self.width { " class=\"tall\"" } else { "" };
+        let is_tall = self.is_printed_wide || self.height > TALL * self.width;
+        let class = if is_tall { " class=\"tall\"" } else { "" };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\"{class} width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\" \

@@ -69,12 +69,10 @@ impl Grade {
         match self {
             Grade::Obeyed => String::new(),
             // Thousands are abbreviated, because a cell has the room of four characters.
-            Grade::Missed(miss) if (950.0..9.5e5).contains(&miss) => {
-                format!("{}k", readable(miss / 1e3, 1))
+            Grade::Missed(miss) if (995.0..9.5e5).contains(&miss) => {
+                format!("{}k", readable(miss / 1e3, 2))
             }
-            Grade::Missed(miss) if miss.is_finite() => {
-                readable(miss, if miss < 10.0 { 2 } else { 1 })
-            }
+            Grade::Missed(miss) if miss.is_finite() => readable(miss, 2),
             Grade::Missed(_) => "✗".into(),
             Grade::Unknown => "–".into(),
         }

@@ -243,14 +243,16 @@ impl Shaded {
         }
     }
 
-    /// One path for each shade; adjacent cells of the same shade in a row are one rectangle.
+    /// One path for each shade; adjacent cells of the same shade in a row are one rectangle, which
+    /// overlaps the next, so that no seam is printed.
     fn paths(&self, range: Range) -> String {
         let mut paths = vec![String::new(); STEPS];
         for (i, row) in self.rows.iter().enumerate() {
             let mut from = 0;
             for run in row.chunk_by(|a, b| range.step(*a) == range.step(*b)) {
                 if let Some(step) = range.step(run[0]) {
-                    let _ = write!(paths[step], "M{from} {i}h{0}v1h-{0}z", run.len());
+                    let _ =
+                        write!(paths[step], "M{from} {i}h{0}v1.04h-{0}z", run.len() as f64 + 0.04);
                 }
                 from += run.len();
             }

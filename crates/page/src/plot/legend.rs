@@ -75,8 +75,17 @@ impl<'a> Legend<'a> {
                 (*name, Drawn { color, width, dash, marker: Some(marker) })
             },
         ));
+        // The band of a curve has a pale tint of its color.
+        let tints: Vec<(&str, RGBColor)> = named(Look::Theory)
+            .filter_map(|(name, _)| {
+                let curve = looks.iter().find(|(curve, _)| belongs(name, curve))?;
+                Some((*name, style::tint(curve.1.color)))
+            })
+            .collect();
         looks.extend(named(Look::Theory).map(|(name, _)| {
-            (*name, Drawn { color: THEORY, width: style::BAND, dash: &[], marker: None })
+            let tint = tints.iter().find(|(own, _)| own == name).map(|(_, tint)| *tint);
+            let color = tint.unwrap_or(THEORY);
+            (*name, Drawn { color, width: style::BAND, dash: &[], marker: None })
         }));
         looks.extend(named(Look::Reference).map(|(name, _)| {
             (*name, Drawn { color: INK, width: style::THIN, dash: &[], marker: None })

@@ -49,7 +49,9 @@ pub(super) const ROW: f64 = 24.0;
 ///     Series::reference("tolerance", vec![(0.0, 0.1), (1.0, 0.1)]),
 /// ];
 /// let (x, y) = (Axis::linear("sweep", ""), Axis::log("residual", ""));
+/// assert_eq!(series[0].size(), 1.0); // the largest magnitude
 /// let lines = Lines::new("rate", "PGS converges by ¼ per sweep", "", x, y, series);
+/// let lines = lines.with_scales_explained(); // adds nothing: no axis is symmetric
 /// assert!(lines.svg().contains("rate ¼"));
 /// assert_eq!(lines.csv().lines().count(), 1 + 8); // a heading, and a record for each point
 /// ```
@@ -79,6 +81,16 @@ impl Lines {
     ) -> Self {
         let (id, title, caption) = (id.into(), title.into(), caption.into());
         Lines { id, title, caption, x, panels: vec![Panel { y, series }] }
+    }
+
+    /// The same; the caption explains symmetric axes, if there are any.
+    pub fn with_scales_explained(mut self) -> Self {
+        let is_symmetric = |panel: &Panel| matches!(panel.y.scale, Scale::Symmetric(_));
+        if self.panels.iter().any(is_symmetric) {
+            self.caption +=
+                " An axis with 0 and powers of ten is linear near 0 and logarithmic beyond.";
+        }
+        self
     }
 }
 
@@ -140,6 +152,12 @@ impl Series {
         Series { name: name.into(), points, look: Look::Reference, end: None }
     }
 
+    /// The largest magnitude of the curve; 0 without points.
+    pub fn size(&self) -> f64 {
+        let sizes = self.points.iter().map(|(_, y)| y.abs()).filter(|size| size.is_finite());
+        sizes.fold(0.0, f64::max)
+    }
+
     /// The same, with a label at its end in place of an entry in the legend.
     pub fn labeled(self, end: impl Into<String>) -> Self {
         Series { end: Some(end.into()), ..self }
@@ -190,6 +208,8 @@ impl Figure for Lines {
             heights.iter().enumerate().map(|(k, plot)| above(k) + plot + BETWEEN).sum();
         let height = header + total + 36.0;
         let (mut canvas, lower) = Canvas::titled(wide, height, &self.title);
+        let crowded = ends::is_crowded(self, x, wide);
+        canvas.is_printed_wide = crowded && self.panels.len() > 1;
         let header = header + lower;
         legend.draw(&mut canvas, lower);
 
@@ -223,9 +243,8 @@ impl Figure for Lines {
             canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
             self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
             canvas.raw("</g>\n");
-            if !ends::is_crowded(self, x, wide) {
-                ends::draw(&mut canvas, &frame, (&self.x, panel), &legend.looks, wide - MARGIN);
-            }
+            let axes = (&self.x, panel);
+            ends::draw(&mut canvas, &frame, axes, &legend.looks, (wide - MARGIN, crowded));
             if last {
                 let middle = (left + right) / 2.0;
                 let at = (middle, frame.bottom + 42.0);

@@ -15,6 +15,7 @@ mod key;
 mod legend;
 mod line;
 mod marker;
+mod place;
 mod points;
 pub mod profile;
 mod raster;

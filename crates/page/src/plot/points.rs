@@ -7,7 +7,8 @@
 //!   <g class="series" data-series="pgs" data-points="1 0.25 2 0.125">      x y x y …
 //! ```
 //!
-//! A position is a value, or its decimal logarithm. The picture is complete without these
+//! A position is a value, or its decimal logarithm, or, with the scale `symmetric:E`, the logarithm
+//! of 1 + |value|/10^E with the value's sign. The picture is complete without these
 //! attributes.
 
 use super::axis::{Axis, Scale};
@@ -23,7 +24,11 @@ const DIGITS: (usize, usize) = (6, 4);
 /// Opens the group of one plot; an axis without a name (that of bars) has no attributes.
 pub(super) fn panel(frame: &Frame, x: &Axis, y: Option<&Axis>) -> String {
     let scale = |axis: &Axis, (lo, hi): (f64, f64)| {
-        let word = if axis.scale == Scale::Log { "log" } else { "linear" };
+        let word = match axis.scale {
+            Scale::Linear => "linear".into(),
+            Scale::Log => "log".into(),
+            Scale::Symmetric(power) => format!("symmetric:{power}"),
+        };
         format!("{word} {} {}", csv::number(lo), csv::number(hi))
     };
     let words = |name: char, axis: &Axis| {

@@ -25,6 +25,7 @@ const ENTRY: usize = SHADES.len() - 2;
 /// // The diagonal of a 4 × 4 matrix, in 2 × 2 cells.
 /// let raster = Raster::new((4, 4), 2, |mark| (0..4).for_each(|i| mark(i, i)));
 /// assert_eq!((raster.block, raster.nonzeros, raster.fill()), (2, 4, 25.0)); // 4 of 16
+/// assert!(raster.key().contains("2 × 2 entries"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Raster {
@@ -78,6 +79,16 @@ impl Raster {
     pub fn fill(&self) -> f64 {
         let all = self.rows as f64 * self.columns as f64;
         if all > 0.0 { 100.0 * self.nonzeros as f64 / all } else { 0.0 }
+    }
+
+    /// What a cell shows, as the end of a sentence; empty if it is a single entry.
+    pub fn key(&self) -> String {
+        match self.block {
+            0 | 1 => String::new(),
+            block => {
+                format!("; a cell is {block} × {block} entries, darker if more of them are nonzero")
+            }
+        }
     }
 
     /// The nonempty cells: line, position in the line, shade from 0.

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use super::canvas::{Anchor, Canvas, escape, hex};
-use super::spies::Small;
+use super::spies::{INDICES, Small};
 use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
 use crate::figure::Figure;
@@ -13,8 +13,9 @@ use crate::figure::Figure;
 pub const SCENE: (f64, f64) = (240.0, 400.0);
 const GAP: f64 = 18.0;
 const TOP: f64 = 58.0;
-/// The height of a factor's name and note, and of the names of the colors, in px.
-const WORDS: f64 = 46.0;
+/// The maximum width of a factor with its indices in px.
+const FACTOR: f64 = 320.0;
+/// The height of the names of the colors in px.
 const KEY: f64 = 34.0;
 /// The matrix stands beside the scene if at least this width is left for it.
 const LEAST: f64 = 300.0;
@@ -108,6 +109,10 @@ impl SceneMatrix {
         for (k, block) in self.blocks.iter().enumerate() {
             let middle = top + (at(starts[k]) + at(starts[k + 1])) / 2.0 + 4.5;
             canvas.text((left - 7.0, middle), Anchor::End, TEXT, INK, &block.name);
+            let (x, y) = (left + middle - top, top - 7.0);
+            canvas.raw(&format!("<g transform=\"rotate(-90 {x:.1} {y:.1})\">"));
+            canvas.text((x, y), Anchor::Start, TEXT, INK, &block.name);
+            canvas.raw("</g>\n");
             for (l, other) in self.blocks.iter().enumerate() {
                 let shared: Vec<String> = block
                     .bodies
@@ -165,13 +170,20 @@ impl SceneMatrix {
         let side = (inner - before).min(SCENE.1);
         let scene_left = if is_beside { style::EDGE } else { (wide - SCENE.0) / 2.0 };
         let matrix_top = if is_beside { 0.0 } else { scene.1 + GAP };
-        let matrix_end = matrix_top + if is_beside { side.max(scene.1) } else { side };
-        let factor = ((inner + GAP) / self.factors.len().max(1) as f64 - GAP).min(SCENE.1);
+        // The names stand upright above the columns, too.
+        let above = names - 10.0;
+        let matrix_end =
+            matrix_top + if is_beside { (above + side).max(scene.1) } else { above + side };
+        let columns = if wide < style::WIDTH { 1 } else { self.factors.len().max(1) };
+        let factor = ((inner + GAP) / columns as f64 - GAP).min(FACTOR);
+        let words = self.factors.iter().map(|own| own.above(factor)).fold(0.0, f64::max);
+        let lines = self.factors.len().div_ceil(columns);
         let has_factors = !self.factors.is_empty();
-        let factors_top = matrix_end + KEY + if has_factors { WORDS } else { 0.0 };
-        let height = TOP + factors_top + if has_factors { factor } else { 0.0 } + 10.0;
-        let matrix = (style::EDGE + before, matrix_top);
-        Layout { scene_left, matrix, side, matrix_end, factors_top, factor, height }
+        let factors_top = matrix_end + KEY + if has_factors { GAP } else { 0.0 };
+        let pitch = words + factor - INDICES + GAP;
+        let height = TOP + factors_top + lines as f64 * pitch + 10.0;
+        let matrix = (style::EDGE + before, matrix_top + above);
+        Layout { scene_left, matrix, side, matrix_end, factors_top, factor, columns, pitch, height }
     }
 }
 
@@ -185,8 +197,11 @@ struct Layout {
     /// The lower end of scene and matrix.
     matrix_end: f64,
     factors_top: f64,
-    /// The width and height of a factor.
+    /// The width of a factor with its indices, the number side by side, and the distance from one
+    /// to the next below it.
     factor: f64,
+    columns: usize,
+    pitch: f64,
     /// Of the whole picture.
     height: f64,
 }
@@ -221,11 +236,9 @@ impl Figure for SceneMatrix {
         self.matrix(&mut canvas, (left, top + above), at.side);
         self.legend(&mut canvas, (left, top + at.matrix_end + 22.0), wide);
         for (k, factor) in self.factors.iter().enumerate() {
-            let left = style::EDGE + k as f64 * (at.factor + GAP);
-            let above = top + at.factors_top;
-            canvas.text((left, above - 24.0), Anchor::Start, TEXT, INK, &factor.name);
-            canvas.text((left, above - 7.0), Anchor::Start, TEXT, FAINT_INK, &factor.note);
-            factor.draw(&mut canvas, (left, above), at.factor);
+            let left = style::EDGE + (k % at.columns) as f64 * (at.factor + GAP);
+            let above = top + at.factors_top + (k / at.columns) as f64 * at.pitch;
+            factor.draw_named(&mut canvas, (left, above), at.factor);
         }
         let names: Vec<&str> = self.blocks.iter().map(|block| block.name.as_str()).collect();
         canvas.finish(id, &self.title, &format!("blocks of rows: {}", names.join(", ")))

@@ -2,6 +2,7 @@
 
 use super::canvas::{Anchor, Canvas};
 use super::raster::Raster;
+use super::spy;
 use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
 use crate::figure::Figure;
@@ -12,6 +13,8 @@ const LEAST: f64 = 125.0;
 const TOP: f64 = 44.0;
 /// The height of a line of the name and of the note in px.
 const LINE: f64 = 17.0;
+/// The width of the indices of rows in px.
+pub(super) const INDICES: f64 = 40.0;
 
 /// Patterns in a grid of panels.
 #[derive(Debug, Clone)]
@@ -91,6 +94,20 @@ impl Small {
     fn words(&self, side: f64) -> Words {
         let wrapped = |text| style::wrapped(text, TEXT, side);
         Words { name: wrapped(&self.name), note: wrapped(&self.note) }
+    }
+
+    /// The height (px) of its texts and of the indices of its columns.
+    pub(super) fn above(&self, side: f64) -> f64 {
+        self.words(side).height() + LINE
+    }
+
+    /// Draws it with its texts, and with indices left of it and above it, in this width (px).
+    pub(super) fn draw_named(&self, canvas: &mut Canvas, (left, top): (f64, f64), side: f64) {
+        let corner = (left + INDICES, top + self.above(side));
+        self.words(side).draw(canvas, (left, corner.1 - LINE));
+        self.draw(canvas, corner, side - INDICES);
+        let Raster { rows, columns, .. } = self.raster;
+        spy::frame(canvas, corner, (side - INDICES, side - INDICES), (rows, columns));
     }
 
     pub(super) fn draw(&self, canvas: &mut Canvas, (left, top): (f64, f64), side: f64) {

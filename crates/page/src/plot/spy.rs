@@ -1,7 +1,5 @@
 //! The sparsity pattern of a matrix: its nonzero entries.
 
-use std::fmt::Write;
-
 use super::axis::Scale;
 use super::canvas::{Anchor, Canvas};
 use super::raster::Raster;
@@ -83,21 +81,15 @@ impl Spy {
         })
     }
 
-    fn subtitle(&self, block: usize) -> String {
-        let mut text = format!(
-            "{} × {},  {} nonzeros,  {} % filled",
+    fn subtitle(&self, raster: &Raster) -> String {
+        format!(
+            "{} × {},  {} nonzeros,  {} % filled{}",
             count(self.rows),
             count(self.columns),
             count(self.nonzeros()),
-            readable(self.fill(), 3)
-        );
-        if block > 1 {
-            let _ = write!(
-                text,
-                "; a cell is {block} × {block} entries, darker if more of them are nonzero"
-            );
-        }
-        text
+            readable(self.fill(), 3),
+            raster.key()
+        )
     }
 }
 
@@ -120,7 +112,7 @@ impl Figure for Spy {
         // A long thin matrix keeps a visible width.
         let (width, height) = ((columns * scale).max(12.0), (rows * scale).max(12.0));
         let raster = self.raster();
-        let subtitle = self.subtitle(raster.block);
+        let subtitle = self.subtitle(&raster);
         let lines = style::wrapped(&subtitle, TEXT, wide - 2.0 * style::EDGE);
         let below = 96.0 + LINE * lines.len().saturating_sub(1) as f64;
         let (mut canvas, lower) = Canvas::titled(wide, below + height + 14.0, &self.title);
@@ -130,18 +122,11 @@ impl Figure for Spy {
         }
         let (left, top) = ((wide - width) / 2.0 + 20.0, below + lower);
         canvas.raw(&raster.markup((left, top), (width / columns, height / rows)));
-        canvas.outline((left, top), (width, height));
         canvas.text((left + width / 2.0, top - 24.0), Anchor::Middle, TEXT, INK, "column");
         canvas.raw(&format!("<g transform=\"rotate(-90 {:.1} {:.1})\">", left - 48.0, top));
         canvas.text((left - 48.0 - height / 2.0, top), Anchor::Middle, TEXT, INK, "row");
         canvas.raw("</g>\n");
-        for (index, at) in indices(self.columns, width) {
-            canvas.text((left + at, top - 7.0), Anchor::Middle, TEXT, FAINT_INK, &count(index));
-        }
-        for (index, at) in indices(self.rows, height) {
-            let at = (left - 7.0, top + at + 4.5);
-            canvas.text(at, Anchor::End, TEXT, FAINT_INK, &count(index));
-        }
+        frame(&mut canvas, (left, top), (width, height), (self.rows, self.columns));
         canvas.finish(id, &self.title, &subtitle)
     }
 
@@ -152,6 +137,23 @@ impl Figure for Spy {
             csv::record(&mut out, [i.to_string(), j.to_string()]);
         }
         out
+    }
+}
+
+/// Draws the frame of a matrix with these numbers of rows and columns, and indices at its sides.
+pub(super) fn frame(
+    canvas: &mut Canvas,
+    (left, top): (f64, f64),
+    (width, height): (f64, f64),
+    (rows, columns): (usize, usize),
+) {
+    canvas.outline((left, top), (width, height));
+    for (index, at) in indices(columns, width) {
+        canvas.text((left + at, top - 7.0), Anchor::Middle, TEXT, FAINT_INK, &count(index));
+    }
+    for (index, at) in indices(rows, height) {
+        let at = (left - 7.0, top + at + 4.5);
+        canvas.text(at, Anchor::End, TEXT, FAINT_INK, &count(index));
     }
 }
 

@@ -44,6 +44,15 @@ pub const GRID: RGBColor = RGBColor(228, 230, 234);
 /// Bands of theory.
 pub(crate) const THEORY: RGBColor = RGBColor(206, 212, 220);
 
+/// The part of white in a band with the color of its curve.
+const PALE: f64 = 0.68;
+
+/// The color of the band behind a curve of this color.
+pub(super) fn tint(RGBColor(r, g, b): RGBColor) -> RGBColor {
+    let tint = |c: u8| (f64::from(c) + PALE * (255.0 - f64::from(c))).round() as u8;
+    RGBColor(tint(r), tint(g), tint(b))
+}
+
 /// Fonts available on the reader's machine.
 pub(crate) const FONTS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', \
                                 'Noto Sans', 'Liberation Sans', Arial, sans-serif";
@@ -140,7 +149,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("sequential_impulses", (162, 115, 235), 2, 0),
     ("midpoint_rule", (123, 169, 52), 3, 2),
     ("rk4", (116, 13, 23), 5, 3),
-    ("active_set_changes", BLACK, 0, 6),
+    ("active_set_of_pgs_changes", (0, 94, 170), 0, 6),
     ("exact", BLACK, 0, 0),
     ("scaled_residual", BLUE, 0, 0),
     ("natural_residual", VERMILION, 1, 1),
@@ -300,11 +309,22 @@ pub fn width(text: &str, size: f64) -> f64 {
     size * text.chars().map(em).sum::<f64>()
 }
 
-/// The text in lines of at most this width in px; a longer word has a line of its own. A percent
-/// sign stays with its number.
+/// Units that stay with their number.
+const UNITS: [&str; 6] = ["%", "J", "m", "s", "N", "mm"];
+
+/// The text in lines of at most this width in px; a longer word has a line of its own. A unit stays
+/// with its number, and a sign of equality with both sides.
 pub(crate) fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.replace(" %", "\u{a0}%").split(' ') {
+    let mut joined = String::new();
+    for word in text.split(' ') {
+        let is_unit = UNITS.contains(&word.trim_end_matches([',', ';', '.']));
+        let is_unit = is_unit && joined.ends_with(|c: char| c.is_ascii_digit());
+        let is_joined = is_unit || word == "=" || joined.ends_with("\u{a0}=");
+        joined += if is_joined { "\u{a0}" } else { " " };
+        joined += word;
+    }
+    for word in joined[1..].split(' ') {
         match lines.last_mut() {
             Some(line) if width(line, size) + width(word, size) <= room => {
                 *line += " ";

@@ -47,12 +47,12 @@ fn groups_stand_side_by_side_or_on_a_narrow_picture_one_below_the_other() {
 fn a_deviation_of_thousands_fits_its_cell() {
     for (miss, word) in [
         (1.9, "1.9"),
-        (640.0, "600"),
+        (640.0, "640"),
         (999.0, "1k"),
-        (6400.0, "6k"),
+        (6400.0, "6.4k"),
         (2e4, "20k"),
-        (190_800.0, "200k"),
-        (949_000.0, "900k"),
+        (190_800.0, "190k"),
+        (949_000.0, "950k"),
     ] {
         let mut one = matrix();
         one.rows[0].1[1] = Grade::Missed(miss);

@@ -1,3 +1,4 @@
+use lcplab_page::plot::style::width;
 use lcplab_page::plot::{Axis, Figure, Lines, Panel, Scale, Series};
 
 use super::assert_well_formed;
@@ -181,30 +182,127 @@ fn labels_too_wide_for_a_narrow_picture_stand_above_the_panel() {
     assert!(labels[0] + 14.0 <= labels[1] && labels[1] < height(">1</text>"), "{labels:?}");
 }
 
-#[test]
-fn a_curve_that_ends_inside_the_plot_has_an_upright_label() {
-    let early = Series::measured("pgs", vec![(0.0, 1.0), (1.0, 0.0)]).labeled("pgs");
-    let late = Series::measured("sor", vec![(0.0, 1.0), (9.0, 0.0)]).labeled("sor");
-    let svg = figure(Scale::Linear, Scale::Linear, vec![early, late]).svg();
-    assert_eq!(svg.matches("rotate(-90").count(), 1);
+/// The middle, width and height (px) of a label inside a plot.
+fn label(svg: &str, text: &str) -> (f64, f64, f64) {
+    let tag =
+        svg.split(&format!(">{text}</text>")).next().unwrap().rsplit("<text ").next().unwrap();
+    let number = |key: &str| -> f64 {
+        let value = tag.split(&format!("{key}=\"")).nth(1).unwrap();
+        value.split('"').next().unwrap().parse().unwrap()
+    };
+    (number("x"), number("y") - 4.5, width(text, number("font-size")))
+}
+
+/// The points (px), at most 1 px apart, of all lines in the picture.
+fn drawn_points(svg: &str) -> Vec<(f64, f64)> {
+    let curves = svg.split("class=\"series\"").skip(1);
+    let lines = curves
+        .flat_map(|curve| curve.split("</g>\n</g>").next().unwrap().split("<polyline").skip(1));
+    let vertices = lines.map(|line| {
+        let points = line.split("points=\"").nth(1).unwrap().split('"').next().unwrap();
+        let point = |pair: &str| {
+            let (x, y) = pair.split_once(',').unwrap();
+            (x.parse::<f64>().unwrap() / 10.0, y.parse::<f64>().unwrap() / 10.0)
+        };
+        points.split_whitespace().map(point).collect::<Vec<_>>()
+    });
+    let mut all = Vec::new();
+    for line in vertices {
+        for ends in line.windows(2) {
+            let (a, b) = (ends[0], ends[1]);
+            let steps = (b.0 - a.0).hypot(b.1 - a.1).ceil().max(1.0);
+            all.extend((0..=steps as usize).map(|k| {
+                let part = k as f64 / steps;
+                (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1))
+            }));
+        }
+    }
+    all
 }
 
 #[test]
-fn more_than_two_upright_labels_stand_above_the_panel_of_a_narrow_picture() {
+fn labels_inside_the_plot_cover_no_curve_and_no_other_label() {
+    // Eight curves that fall at different times, a vertical and a horizontal line.
+    let names = ["pgs", "sor", "lemke", "jacobi", "newton", "apgd", "nncg", "mprgp"];
+    let curve = |(k, name): (usize, &&str)| {
+        let end = 8.0 + 7.0 * k as f64;
+        let points = (0..=40).map(|i| f64::from(i) / 40.0);
+        let points = points.map(|t| (end * t, 1.0 - t.powi(4))).collect();
+        Series::measured(*name, points).labeled(*name)
+    };
+    let mut series: Vec<Series> = names.iter().enumerate().map(curve).collect();
+    series.push(Series::reference("budget", vec![(20.0, 0.0), (20.0, 1.0)]).labeled("budget"));
+    series.push(Series::reference("tolerance", vec![(0.0, 0.1), (90.0, 0.1)]).labeled("tolerance"));
+    series.push(Series::measured("late", vec![(0.0, 0.98), (90.0, 0.9)]));
+    let labels = [&names[..], &["budget", "tolerance"]].concat();
+    let svg = figure(Scale::Linear, Scale::Linear, series).svg();
+    assert_eq!(svg.matches("rotate(-90").count(), 0);
+    let curves = drawn_points(&svg);
+    assert!(curves.len() > 1000);
+    let boxes: Vec<_> = labels.iter().map(|text| label(&svg, text)).collect();
+    for (text, (x, y, wide)) in labels.iter().zip(&boxes) {
+        let is_covered =
+            |point: &&(f64, f64)| (point.0 - x).abs() < wide / 2.0 && (point.1 - y).abs() < 6.0;
+        assert_eq!(curves.iter().find(is_covered), None, "{text}");
+        let overlap = |other: &&(f64, f64, f64)| {
+            (other.0 - x).abs() < (other.2 + wide) / 2.0 && (other.1 - y).abs() < 14.0
+        };
+        assert_eq!(boxes.iter().filter(overlap).count(), 1, "{text} and another label");
+    }
+}
+
+#[test]
+fn more_than_four_labels_inside_stand_above_the_panel_of_a_narrow_picture() {
     let early =
         |name: &str, end| Series::measured(name, vec![(0.0, 1.0), (end, 0.0)]).labeled(name);
+    let names = ["pgs", "sor", "lemke", "newton", "apgd"];
+    let line = Series::reference("tolerance", vec![(0.0, 0.5), (9.0, 0.5)]).labeled("tolerance");
     let late = Series::measured("jacobi", vec![(0.0, 1.0), (9.0, 0.0)]).labeled("jacobi");
-    let three = vec![early("pgs", 1.0), early("sor", 1.1), early("lemke", 1.2), late];
-    let two = [&three[..2], &three[3..]].concat();
-    for (series, upright) in [(two, [2, 2]), (three, [3, 0])] {
-        let names: Vec<String> = series.iter().map(|own| own.name.clone()).collect();
-        let figure = figure(Scale::Linear, Scale::Linear, series);
-        let drawn = [figure.svg(), figure.narrow().unwrap()];
-        for (svg, upright) in drawn.iter().zip(upright) {
-            assert_eq!(svg.matches("rotate(-90").count(), upright);
-            for name in &names {
-                assert_eq!(svg.matches(&format!(">{name}</text>")).count(), 1, "{name}");
-            }
-        }
+    for count in [4, 5] {
+        let mut series: Vec<Series> =
+            names.iter().zip(1..=count).map(|(name, end)| early(name, end.into())).collect();
+        series.extend([line.clone(), late.clone()]);
+        let svg = figure(Scale::Linear, Scale::Linear, series).narrow().unwrap();
+        let tick = label(&svg, "1").1;
+        let above = |name: &&&str| label(&svg, name).1 < tick;
+        let above = names.iter().take(count as usize).filter(above).count();
+        assert_eq!(above, if count > 4 { count as usize } else { 0 });
+        // A line of reference keeps its label.
+        assert!(label(&svg, "tolerance").1 > tick);
+    }
+}
+
+#[test]
+fn curves_that_end_together_have_their_labels_where_they_start_apart() {
+    let curve =
+        |name: &str, start| Series::measured(name, vec![(0.0, start), (9.0, 0.0)]).labeled(name);
+    let apart = ["pgs", "sor", "lemke"].iter().zip([1.0, 2.0, 3.0]);
+    let svg =
+        figure(Scale::Linear, Scale::Linear, apart.map(|(name, y)| curve(name, y)).collect()).svg();
+    for name in ["pgs", "sor", "lemke"] {
+        assert!(label(&svg, name).0 < 440.0, "{name}");
+    }
+}
+
+#[test]
+fn a_symmetric_axis_is_linear_near_zero_and_logarithmic_beyond_and_odd() {
+    // sign(v) lg(1 + |v|/10): 90 is at 1, 990 at 2, −90 at −1.
+    let points = vec![(0.0, 0.0), (1.0, 990.0), (2.0, 90.0), (3.0, -990.0), (4.0, -90.0)];
+    let svg =
+        figure(Scale::Linear, Scale::Symmetric(1), vec![Series::measured("pgs", points)]).svg();
+    let line = svg.split("class=\"series\"").nth(1).unwrap();
+    let line = line.split("<polyline").nth(1).unwrap();
+    let line = line.split("points=\"").nth(1).unwrap().split('"').next().unwrap();
+    let y: Vec<f64> = line
+        .split_whitespace()
+        .map(|pair| pair.split_once(',').unwrap().1.parse::<f64>().unwrap() / 10.0)
+        .collect();
+    let unit = (y[0] - y[1]) / 2.0;
+    assert!(unit > 20.0);
+    for (k, at) in [0.0, 2.0, 1.0, -2.0, -1.0].iter().enumerate() {
+        assert!((y[0] - y[k] - at * unit).abs() < 0.3, "{k}: {y:?}");
+    }
+    for tick in ["0", "100", "−100"] {
+        assert!(svg.contains(&format!(">{tick}</text>")), "{tick}");
     }
 }

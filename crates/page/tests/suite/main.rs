@@ -3,6 +3,7 @@
 mod grades;
 mod heat;
 mod line;
+mod markup;
 mod profile;
 mod spy;
 mod style;

@@ -4,7 +4,7 @@ use super::curves::{Curve, Curves};
 use crate::number::readable;
 use crate::plot::{Axis, Lines, Scale, Series};
 use crate::report::grid::file::{Grid, REPEAT};
-use crate::report::grid::measure::Measure;
+use crate::report::grid::measure::{ITERATIONS, Measure};
 
 /// Maximum number of curves that are still readable.
 const MOST_CURVES: usize = 12;
@@ -13,9 +13,7 @@ const WIDE: f64 = 50.0;
 /// as do values whose logarithms are spaced this evenly.
 const EVEN: f64 = 1.1;
 /// A least value inside a curve is a finding if both ends are more than this many times as large.
-const DIP: f64 = 1.05;
-/// Values of both signs are shown as magnitudes if the largest is this many times the median.
-const FLATTENED: f64 = 20.0;
+const DIP: f64 = 1.03;
 
 /// The figure of a measure; names of its files begin with `id`. `None` if it was not taken
 /// anywhere.
@@ -37,25 +35,27 @@ pub(super) fn figure(
     let finding = finding(curves, measure, &series)
         .unwrap_or_else(|| format!("{} against {}", words_of(measure), curves.across));
     let mut words = vec![format!("{}: {}.", words_of(measure), measure.about)];
-    let is_flattened = grid.scale.is_none() && y.least < 0.0 && is_flattened(&all);
-    let (y, label) = match is_flattened {
-        true => {
-            words.push(magnitudes(&series, &curves.across));
-            let size = |(x, y): &mut (f64, f64)| (*x, *y) = (*x, y.abs());
-            series.iter_mut().for_each(|own| own.points.iter_mut().for_each(size));
-            (Spread::of(all.iter().map(|(_, y)| y.abs())), format!("|{}|", words_of(measure)))
-        }
-        false => (y, words_of(measure)),
-    };
-    let y_wide = is_flattened || grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
+    let label = words_of(measure);
+    let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
     let floor = if y_wide { y.smallest } else { y.least };
-    let theory = shown.iter().map(|curve| curve.predicted(measure));
-    if let Some(theory) = joined("theory", theory, Series::theory) {
-        series.push(theory);
-        let optima = shown.iter().filter_map(|curve| curves.optimum(curve));
-        let bars = optima.map(|best| vec![(best, floor), (best, y.most)]);
-        series.extend(joined("optimum by theory", bars, Series::reference));
-        words.push("Pale band: the closed form.".into());
+    let theory = |curve: &Curve| {
+        let points = curve.predicted(measure);
+        let name = format!("theory, {}", curve.name);
+        points.iter().any(|(_, y)| y.is_finite()).then(|| Series::theory(name, points).labeled(""))
+    };
+    let theory: Vec<Series> = shown.iter().filter_map(theory).collect();
+    if !theory.is_empty() {
+        series.extend(theory);
+        series.extend(shown.iter().filter_map(|curve| {
+            let best = curves.optimum(curve)?;
+            let name = format!("ω* of {}", curve.name);
+            Some(Series::reference(&name, vec![(best, floor), (best, y.most)]).labeled(name))
+        }));
+        let theory = match *measure == ITERATIONS {
+            true => "Pale bands: if all of the error decayed at the slowest rate.",
+            false => "Pale bands: the closed form.",
+        };
+        words.push(theory.into());
     }
     if grid.axes.iter().any(|axis| axis.paths == [REPEAT]) {
         words.push("Each point is the median of its repetitions.".into());
@@ -67,14 +67,18 @@ pub(super) fn figure(
         true => Axis::log(label, unit),
         false => Axis::linear(label, unit),
     };
-    Some(Lines::new(
+    let figure = Lines::new(
         format!("{id}{}", measure.name),
         format!("{}: {finding}", grid.title),
         words.join(" "),
         axis(x.is_wide(), &curves.across, curves.unit()),
-        axis(y_wide, &label, measure.unit),
+        match (y_wide, grid.scale) {
+            (false, None) => Axis::fitting(label, measure.unit, all.iter().map(|(_, y)| y.abs())),
+            _ => axis(y_wide, &label, measure.unit),
+        },
         series,
-    ))
+    );
+    Some(figure.with_scales_explained())
 }
 
 /// The finding: where the measure is least, if every curve has its least value inside the axis;
@@ -100,12 +104,20 @@ fn least(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<St
     let mut places: Vec<_> = series.iter().map(inside).collect::<Option<_>>()?;
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (first, last) = (places.first()?, places.last()?);
-    let place = |(x, name): &(f64, String)| format!("{} ({name})", readable(*x, 3));
-    let range = match places.len() {
-        1 => readable(first.0, 3),
-        _ => format!("{} to {}", place(first), place(last)),
+    let place = |(x, name): &(f64, String)| {
+        let across = &curves.across;
+        let of = if places.len() == 1 { String::new() } else { format!(" for {name}") };
+        format!("{across} = {}{of}", readable(*x, 3))
     };
-    Some(format!("{} least at {} = {range}", words_of(measure), curves.across))
+    let range = match places.len() {
+        1 => place(first),
+        _ => format!("{} and at {}", place(first), place(last)),
+    };
+    let what = match *measure == ITERATIONS {
+        true => "fewest iterations".into(),
+        false => format!("smallest {}", words_of(measure)),
+    };
+    Some(format!("{what} at {range}"))
 }
 
 /// The ratio of the last value to the first one, from the curve with the least ratio to that with
@@ -155,45 +167,6 @@ fn largest(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<
 /// A measure's name in words.
 fn words_of(measure: &Measure) -> String {
     measure.name.replace('_', " ")
-}
-
-/// Whether the largest magnitude is so far from the others that a linear axis shows only it.
-fn is_flattened(points: &[(f64, f64)]) -> bool {
-    let mut sizes: Vec<f64> =
-        points.iter().map(|(_, y)| y.abs()).filter(|size| size.is_finite()).collect();
-    sizes.sort_by(f64::total_cmp);
-    let (middle, most) = (sizes.get(sizes.len() / 2), sizes.last());
-    middle.zip(most).is_some_and(|(middle, most)| *middle > 0.0 && most / middle >= FLATTENED)
-}
-
-/// Which values are positive, for a caption of magnitudes.
-fn magnitudes(series: &[Series], across: &str) -> String {
-    let positive = |own: &Series| {
-        let places = own.points.iter().filter(|(_, y)| *y > 0.0).map(|(x, _)| readable(*x, 3));
-        let places: Vec<String> = places.collect();
-        (!places.is_empty()).then(|| format!("{} at {across} {}", own.name, places.join(", ")))
-    };
-    let positive: Vec<String> = series.iter().filter_map(positive).collect();
-    let except = match positive.is_empty() {
-        true => String::new(),
-        false => format!(", except {}", positive.join("; ")),
-    };
-    format!(
-        "The axis shows magnitudes, so that the largest does not hide the others: all values are negative{except}."
-    )
-}
-
-/// Several curves as one series, with a gap after each; `None` if there are no points.
-fn joined(
-    name: &str,
-    curves: impl Iterator<Item = Vec<(f64, f64)>>,
-    series: fn(String, Vec<(f64, f64)>) -> Series,
-) -> Option<Series> {
-    let gap = (f64::NAN, f64::NAN);
-    let has_points = |curve: &Vec<(f64, f64)>| curve.iter().any(|(_, y)| y.is_finite());
-    let points = curves.filter(has_points).flat_map(|curve| curve.into_iter().chain([gap]));
-    let points: Vec<(f64, f64)> = points.collect();
-    (!points.is_empty()).then(|| series(name.into(), points))
 }
 
 /// The spread of values.

@@ -77,6 +77,14 @@ fn row(record: &Record, frame: &Frame) -> Vec<Cell> {
     let cheapest = accepted.iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
     let failed: Vec<&str> =
         frame.solvers.iter().filter(|own| !own.accepted).map(|own| own.solver.as_str()).collect();
+    // The shorter of two lists: those that fail, or those that do not.
+    let others = || accepted.iter().map(|own| own.solver.as_str()).collect::<Vec<_>>().join(", ");
+    let failed = match (failed.len(), accepted.len()) {
+        (0, _) => "–".into(),
+        (_, 0) => "all".into(),
+        (failing, solving) if failing > solving => format!("all but {}", others()),
+        _ => failed.join(", "),
+    };
     let mark = if frame.verdict == "not_a_solution" { Mark::Bad } else { Mark::Good };
     vec![
         Cell::text(record.title(&frame.engine)),
@@ -91,6 +99,6 @@ fn row(record: &Record, frame: &Frame) -> Vec<Cell> {
             || "–".into(),
             |own| format!("{}, {}", own.solver, iterations_in_words(&own.solver, own.iterations)),
         )),
-        Cell::text(if failed.is_empty() { "–".into() } else { failed.join(", ") }),
+        Cell::text(failed),
     ]
 }

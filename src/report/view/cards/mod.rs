@@ -60,6 +60,7 @@ impl View for Plan {
     fn show(&self, findings: &[Record], document: &mut ReportPage) {
         for record in findings {
             document.text(answer::uses(record));
+            document.fold_tables();
             for (name, id, words) in [
                 (DEFAULTS, "installed", "As installed"),
                 (ACCURATE, "accurate", "With settings for accuracy"),
@@ -79,7 +80,8 @@ impl View for Plan {
     fn headline(&self, findings: &[Record]) -> Headline {
         let Some(record) = findings.first() else { return Headline::default() };
         let figure: Box<dyn Figure> = Box::new(heat(record));
-        Headline { figure: Some(figure), ..Headline::of(Some(answer::of(record))) }
+        let table = Some(("cards_laws".into(), laws(record)));
+        Headline { figure: Some(figure), table, ..Headline::of(Some(answer::of(record))) }
     }
 
     fn outcome(&self, findings: &[Record]) -> Outcome {
@@ -182,6 +184,28 @@ fn grade(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Grade {
     }
 }
 
+/// The question of each law, and how many engines obey it.
+fn laws(record: &Record) -> Table {
+    let row = |phenomenon: &Phenomenon| {
+        let obeyed = |settings: &str| {
+            let columns = phenomenon.columns.iter().filter(|own| own.engine != OWN);
+            let runs = columns.filter(|own| own.settings == settings && own.unsupported.is_none());
+            let held = runs.clone().filter(|own| own.holds()).count();
+            Cell::text(format!("{held} of {}", runs.count()))
+        };
+        let asked =
+            Cell { link: format!("#{}", phenomenon.name), ..Cell::text(&phenomenon.question) };
+        let name = Cell::text(phenomenon.name.replace('_', " "));
+        vec![name, asked, obeyed(DEFAULTS), obeyed(ACCURATE)]
+    };
+    Table::new(
+        "The laws",
+        "The numbers of engines that obey the law, and of those that support the scene.",
+        "law | question | #as installed | #accurate settings",
+        record.phenomena.iter().map(row).collect(),
+    )
+}
+
 fn matrix(record: &Record, title: &str, ways: &Ways<'_>) -> Table {
     let row = |phenomenon: &Phenomenon| {
         let asked =
@@ -215,7 +239,7 @@ fn cell(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Cell {
 /// A deviation in tolerances.
 fn times(miss: f64) -> String {
     match miss.is_finite() {
-        true => format!("{} ×", readable(miss, 2)),
+        true => format!("{}\u{a0}×", readable(miss, 2)),
         false => "no end".into(),
     }
 }

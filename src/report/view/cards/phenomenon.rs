@@ -41,10 +41,10 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
             Series::measured(name(record, own), points(&own.y)).labeled(name(record, own))
         });
         let law = Series::theory("law", points(&y.law)).labeled("law");
-        Panel {
-            y: Axis::linear(format!("{title}: {}", y.name), &y.unit),
-            series: std::iter::once(law).chain(measured).collect(),
-        }
+        let series: Vec<Series> = std::iter::once(law).chain(measured).collect();
+        let sizes = series.iter().map(Series::size);
+        let y = Axis::fitting(format!("{title}: {}", y.name), &y.unit, sizes);
+        Panel { y, series }
     };
     let panels = [
         panel("As installed", &|own| own.settings == DEFAULTS),
@@ -63,6 +63,7 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
         },
         panels: panels.into_iter().filter(|panel| panel.series.len() > 1).collect(),
     }
+    .with_scales_explained()
 }
 
 /// The finding: how many engines obey the law as installed, and the largest violation.

@@ -4,6 +4,8 @@ mod answer;
 
 pub use answer::answer;
 
+use std::collections::BTreeSet;
+
 use super::attempt::{listed, stem};
 use super::{Headline, Outcome, ReportPage, View};
 use crate::animation::Animation;
@@ -40,7 +42,12 @@ impl View for Plan {
             count(claimed),
             count(solves)
         ));
-        document.table("comparison_schemes", by_scheme(findings));
+        // With a single run of each scheme, the tables of the scenes have the same rows.
+        let mut schemes =
+            findings.iter().flat_map(|own| own.runs.chunk_by(|a, b| a.scheme == b.scheme));
+        if schemes.any(|runs| runs.len() > 1) {
+            document.table("comparison_schemes", by_scheme(findings));
+        }
         document.text(MEASURES);
         let words = |comparison: &Comparison| {
             let (title, teaches) = (&comparison.title, comparison.teaches.trim());
@@ -69,13 +76,23 @@ impl View for Plan {
         };
         let claimed = sum(|run| run.tally.claimed);
         let confirmed = claimed - sum(|run| run.tally.rejected_claims);
-        let value = format!("{} of {}", count(confirmed), count(claimed));
-        let mut label = "answers accepted by an independent judge".to_string();
         let given_up = sum(|run| run.tally.solves) - claimed;
-        if given_up > 0 {
-            label += &format!("; {} not solved", counted(given_up, "problem"));
-        }
-        Headline { result: Some([value, label]), ..Headline::of(self.held(findings)) }
+        let (value, label) = match given_up {
+            0 => (
+                format!("{} of {}", count(confirmed), count(claimed)),
+                "answers accepted by an independent judge".to_string(),
+            ),
+            _ => (
+                format!("{} solved, {} not", count(confirmed), count(given_up)),
+                format!(
+                    "problems; an independent judge accepts {} of {} claimed answers",
+                    count(confirmed),
+                    count(claimed)
+                ),
+            ),
+        };
+        let result = Some([value, label]);
+        Headline { result, is_mixed: given_up > 0, ..Headline::of(self.held(findings)) }
     }
 
     fn outcome(&self, findings: &[Comparison]) -> Outcome {
@@ -264,20 +281,48 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
 }
 
 /// The wall time of a step in each run.
+/// The times; with a single run of each scene and scheme a row is a scheme and a column a scene.
 fn timings(times: &[Timing]) -> Table {
+    let per_step = |timing: &Timing| 1e3 * timing.seconds / timing.steps.max(1) as f64;
+    let about = "Mean over a whole simulation: contacts, assembly, solves and motion, without the judge. Several \
+                 simulations ran at the same time.";
+    let unique = |key: fn(&Timing) -> &str| {
+        let mut names: Vec<&str> = times.iter().map(key).collect();
+        let mut seen = BTreeSet::new();
+        names.retain(|name| seen.insert(*name));
+        names
+    };
+    let (scenes, schemes) = (unique(|own| &own.scene), unique(|own| &own.scheme));
+    if scenes.len() > 1 && scenes.len() * schemes.len() == times.len() {
+        let cell = |scheme: &str, scene: &str| {
+            let time = times.iter().find(|own| own.scheme == scheme && own.scene == scene);
+            time.map_or(Cell::text("–"), |time| Cell::number(per_step(time), 3))
+        };
+        let row = |scheme: &&str| {
+            let cells = scenes.iter().map(|scene| cell(scheme, scene));
+            std::iter::once(Cell::text(*scheme)).chain(cells).collect()
+        };
+        let heads = std::iter::once("level".to_string())
+            .chain(scenes.iter().map(|scene| format!("#{scene} (ms)")));
+        return Table::new(
+            "Wall time of a step",
+            about,
+            &heads.collect::<Vec<_>>().join(" | "),
+            schemes.iter().map(row).collect(),
+        );
+    }
     let row = |timing: &Timing| {
         vec![
             Cell::text(&timing.scene),
             Cell::text(&timing.scheme),
             Cell::text(&timing.solver),
             Cell::count(timing.steps),
-            Cell::number(1e3 * timing.seconds / timing.steps.max(1) as f64, 3),
+            Cell::number(per_step(timing), 3),
         ]
     };
     Table::new(
         "Wall time of a step",
-        "Mean over a whole simulation: contacts, assembly, solves and motion, without the judge. Several \
-         simulations ran at the same time.",
+        about,
         "scene | level | solver | #steps | #time per step (ms)",
         times.iter().map(row).collect(),
     )
@@ -305,15 +350,14 @@ pub fn document(comparison: &Comparison, animation: Animation) -> ReportPage {
 /// Energy, drift and penetration over time; runs that move alike share a curve.
 fn motion_figure(comparison: &Comparison) -> Lines {
     let alike = alike(&comparison.runs);
-    let panel = |label: &str, unit: &str, measure: fn(&Run, &Sample) -> f64| Panel {
-        y: Axis::linear(label, unit),
-        series: alike
-            .iter()
-            .map(|(name, run)| {
-                let point = |sample: &Sample| (sample.time, measure(run, sample));
-                Series::measured(name.clone(), run.motion.iter().map(point).collect())
-            })
-            .collect(),
+    let panel = |label: &str, unit: &str, measure: fn(&Run, &Sample) -> f64| {
+        let curve = |(name, run): &(String, &Run)| {
+            let point = |sample: &Sample| (sample.time, measure(run, sample));
+            let points = run.motion.iter().map(point).collect();
+            Series::measured(name.clone(), points).labeled(name)
+        };
+        let series: Vec<Series> = alike.iter().map(curve).collect();
+        Panel { y: Axis::fitting(label, unit, series.iter().map(Series::size)), series }
     };
     let mut panels =
         vec![panel("energy change", "J", |run, sample| sample.energy - start_energy(run))];
@@ -336,6 +380,7 @@ fn motion_figure(comparison: &Comparison) -> Lines {
         x: Axis::linear("time", "s"),
         panels,
     }
+    .with_scales_explained()
 }
 
 /// The finding: the largest change of energy over the runs, and the least.

@@ -47,7 +47,7 @@ pub(super) fn headline(progress: &Progress, choices: &[&Progress]) -> Headline {
     let figure: Box<dyn Figure> = Box::new(costs(progress, &solved));
     let table = (!choices.is_empty()).then(|| ("choices".to_string(), choice(choices)));
     let answer = Some(answer(progress, solved.len(), first, last));
-    Headline { answer, figure: Some(figure), table, result: None }
+    Headline { answer, figure: Some(figure), table, ..Headline::default() }
 }
 
 /// The methods that solve the problem, the cheapest first.
@@ -124,7 +124,7 @@ fn choice(choices: &[&Progress]) -> Table {
         let sweeps =
             pgs(progress).filter(|pgs| pgs.outcome.is_solved()).and_then(|pgs| pgs.marks.last());
         vec![
-            Cell::text(&progress.problem),
+            Cell::text(progress.problem.replace(" = ", "\u{a0}=\u{a0}")),
             solved.first().map_or(Cell::text("none"), |first| Cell::text(&first.solver)),
             solved.first().map_or(Cell::text("–"), |first| cost(first)),
             solved.get(1).map_or(Cell::text("–"), |next| Cell::text(&next.solver)),
@@ -199,25 +199,28 @@ fn curves(progress: &Progress, value: fn(&Mark) -> Option<f64>, named: bool) -> 
     methods.map(series).filter(|series| !series.points.is_empty()).collect()
 }
 
-/// The predicted slope of a sweep method, through its last mark, from the last change of the active
-/// set on.
+/// The predicted slope of a sweep method, through its last mark, over the second half of its
+/// sweeps, if the active set does not change there and the method is not faster.
 fn slope(method: &MethodProgress) -> Option<Series> {
     let (rate, end) = (method.rate?, method.marks.last()?);
-    let settled = method.marks.iter().rposition(|mark| mark.changed).unwrap_or(0);
+    let half = method.marks.iter().position(|mark| 2 * mark.iteration >= end.iteration)?;
+    if method.marks[half..].iter().any(|mark| mark.changed) || is_faster(method)? {
+        return None;
+    }
     let at = |mark: &Mark| {
         let sweeps = end.iteration as f64 - mark.iteration as f64;
         (mark.work, end.residual * rate.powf(-sweeps))
     };
-    let points = method.marks[settled..].iter().map(at).collect();
+    let points = method.marks[half..].iter().map(at).collect();
     Some(Series::theory(format!("theory, {}", method.solver), points).labeled(""))
 }
 
-/// Where the active sets of the methods change.
+/// Where the active set of PGS changes.
 fn changes(progress: &Progress) -> Series {
-    let marks = progress.methods.iter().filter(|method| method.marks.len() > 1);
-    let marks = marks.flat_map(|method| &method.marks).filter(|mark| mark.changed);
+    let marks = pgs(progress).filter(|pgs| pgs.marks.len() > 1).map(|pgs| &pgs.marks);
+    let marks = marks.into_iter().flatten().filter(|mark| mark.changed);
     let points = marks.map(|mark| (mark.work, mark.residual.max(LEAST))).collect();
-    Series::points("active set changes", points)
+    Series::points("active set of pgs changes", points)
 }
 
 /// A line at the tolerance.
@@ -253,7 +256,8 @@ fn by_work(progress: &Progress) -> Lines {
              A, as here, is stored with its zeros. The cost of a method is where its curve meets the tolerance; \
              a pivoting method has one marker, at its end. Sweeps first remove the part of the error that changes \
              sign from contact to contact. Then each sweep multiplies the residual by the spectral radius of the \
-             iteration matrix on the active set, the rows between their bounds (pale band{}).{} {}",
+             iteration matrix on the active set, the rows between their bounds (pale bands, over the second half of \
+             the sweeps{}).{} {}",
             count(progress.rows),
             readable(progress.omega, 3),
             count(progress.stored),
@@ -269,28 +273,31 @@ fn by_work(progress: &Progress) -> Lines {
 /// The sweep methods that end faster than the spectral radius says: Jacobi's sweeps keep the
 /// symmetry of a symmetric stack, so that their error has no part along an eigenvector without it.
 fn faster_than_radius(progress: &Progress) -> String {
-    let is_faster = |method: &&MethodProgress| {
-        let end = method.marks.last()?;
-        let middle = method.marks.iter().find(|mark| 2 * mark.iteration >= end.iteration)?;
-        let sweeps = end.iteration as f64 - middle.iteration as f64;
-        let measured = (end.residual / middle.residual).ln() / sweeps;
-        Some(measured < FASTER * method.rate?.ln())
-    };
-    let faster = progress.methods.iter().filter(|method| is_faster(method) == Some(true));
+    let is_faster = |method: &&MethodProgress| is_faster(method) == Some(true);
+    let faster = progress.methods.iter().filter(is_faster);
     let names: Vec<&str> = faster.map(|method| method.solver.as_str()).collect();
     match names.is_empty() {
         true => String::new(),
         false => format!(
-            " Faster than its band: {}, whose error has no part along the eigenvector of the spectral radius.",
+            " Faster than its spectral radius: {}, whose error has no part along the eigenvector.",
             names.join(", ")
         ),
     }
 }
 
+/// Whether the second half of a method's sweeps gains clearly more than the spectral radius says.
+fn is_faster(method: &MethodProgress) -> Option<bool> {
+    let end = method.marks.last()?;
+    let middle = method.marks.iter().find(|mark| 2 * mark.iteration >= end.iteration)?;
+    let sweeps = end.iteration as f64 - middle.iteration as f64;
+    let measured = (end.residual / middle.residual).ln() / sweeps;
+    Some(measured < FASTER * method.rate?.ln())
+}
+
 /// What the figure shows besides the residuals.
 fn besides_residuals(has_weight: bool, has_changes: bool) -> String {
     let weight = "how much weight is still unsupported after each amount of work";
-    let changes = "where the active set changes";
+    let changes = "where the active set of *pgs* changes";
     let shown = match (has_weight, has_changes) {
         (true, true) => format!("{weight}, and {changes}"),
         (true, false) => weight.into(),

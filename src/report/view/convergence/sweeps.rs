@@ -97,7 +97,7 @@ fn figure(study: &Rates) -> Lines {
         title(study),
         format!(
             "{rows} rows. The natural residual is the largest |x − Π(x − w)|. {kind} The pale bands show the \
-             predicted slopes, drawn through the middle of each curve. Dantzig's method needs {} pivots for \
+             predicted slopes over the second half of each curve, where the rate is measured. Dantzig's method needs {} pivots for \
              the same problem.",
             study.pivots
         ),
@@ -107,13 +107,14 @@ fn figure(study: &Rates) -> Lines {
     )
 }
 
-/// The predicted slope, drawn through the middle of the measured curve.
+/// The predicted slope over the second half of the measured curve, through the middle of this half.
 fn slope(curve: &Curve) -> Option<Series> {
     let rate = curve.predicted_rate?;
-    let (middle, residual) = *curve.residuals.get(curve.residuals.len() / 2)?;
+    let (start, _) = *curve.residuals.get(curve.residuals.len() / 2)?;
+    let (middle, residual) = *curve.residuals.get(3 * curve.residuals.len() / 4)?;
     let at = |k: usize| (k as f64, residual * rate.powf(k as f64 - middle as f64));
     let name = format!("theory, {}", name(curve.omega));
-    Some(Series::theory(name, vec![at(0), at(curve.sweeps)]).labeled(""))
+    Some(Series::theory(name, vec![at(start), at(curve.sweeps)]).labeled(""))
 }
 
 /// ω, and the predicted factor per sweep, with the measured one if they disagree.

@@ -58,24 +58,19 @@ fn figure(found: &Patterns, factors: &[&Factor]) -> SceneMatrix {
     let all = found.blocks.len().pow(2);
     SceneMatrix {
         id: format!("sparsity_{}", stem(&found.scene)),
-        title: format!(
-            "{}: A is {full} % full, in {} of {all} blocks{}",
-            found.scene,
-            pairs.len(),
-            gain(factors)
-        ),
+        title: format!("{}: A is {full} % full, in {} of {all} blocks", found.scene, pairs.len()),
         caption: format!(
-            "The scene, and its A in step {} ({} rows): a block couples the rows of one pair of bodies with those of the same or another pair, and the \
-             paler an entry, the smaller |a|. Blocks without a common moving body are empty; the other {} are {} % \
+            "The scene, and its A in step {} ({} rows): a block couples the rows of one pair of bodies with those of the same or another pair. Pale \
+             entries are below 30 % of the largest |a|, the palest below 3 %. Blocks without a common moving body are empty; the other {} are {} % \
              full, because in some entries the contributions of translation and rotation cancel. With so few bodies, \
              many blocks have entries: with ten times as many bodies, the share of entries would be about ten times \
-             smaller. Point at a block to see the bodies that its rows share. \
-             {}",
+             smaller. {}{}",
             found.step,
             count(found.rows),
             pairs.len(),
             fill(found.matrix.len(), coupled),
-            factors.iter().map(|factor| words(factor)).collect::<Vec<_>>().join(" ")
+            factors.iter().map(|factor| words(factor)).collect::<Vec<_>>().join(" "),
+            gain(factors)
         ),
         scene: picture(found).unwrap_or_default(),
         blocks: found.blocks.iter().map(rows).collect(),
@@ -96,10 +91,8 @@ fn gain(factors: &[&Factor]) -> String {
         let entries: Vec<f64> = drawn(factor).map(|own| own.entries as f64).collect();
         let (natural, least) = (entries.first()?, entries.last()?);
         Some(format!(
-            "; the factor of the scene {} has {} entries in minimum-degree order, {} in natural order",
-            factor.scene,
-            count(*least as usize),
-            count(*natural as usize)
+            " Minimum-degree order leaves {} times fewer entries than the natural order.",
+            readable(natural / least, 2)
         ))
     };
     factors.iter().filter_map(gain).collect()
@@ -118,7 +111,7 @@ fn words(factor: &Factor) -> String {
 fn panels(factor: &Factor) -> impl Iterator<Item = Small> {
     drawn(factor).map(|own| Small {
         name: format!("L of {}, {}", factor.scene, own.ordering),
-        note: format!("{} entries", count(own.entries)),
+        note: format!("{} entries{}", count(own.entries), own.picture.key()),
         raster: own.picture.clone(),
     })
 }

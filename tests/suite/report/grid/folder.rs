@@ -216,8 +216,8 @@ fn the_title_states_where_a_measure_is_least_inside_the_axis() {
         let (grid, path) = (grid(&text(omegas)), tempfile::tempdir().unwrap());
         run_all(&grid, path.path());
         let (_, [_, _, page]) = collected(&grid, &Folder::new(path.path(), &grid).unwrap());
-        assert_eq!(page.contains("iterations least at omega = 1.73"), is_inside, "{omegas}");
-        assert!(is_inside || !page.contains("iterations least at"), "{omegas}");
+        assert_eq!(page.contains("fewest iterations at omega = 1.73"), is_inside, "{omegas}");
+        assert!(is_inside || !page.contains("fewest iterations"), "{omegas}");
     }
 }
 

@@ -59,7 +59,12 @@ pub fn page() -> Page {
 }
 
 fn tile(section: &str, good: bool) -> Tile {
-    Tile { value: "2 of 3".into(), label: "a <result>".into(), section: section.into(), good }
+    Tile {
+        value: "2 of 3".into(),
+        label: "a <result>".into(),
+        section: section.into(),
+        good: Some(good),
+    }
 }
 
 /// The figures whose files lie in the folder `data`.
