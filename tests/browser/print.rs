@@ -47,7 +47,7 @@ fn buttons_are_not_printed_and_heads_are_repeated() {
         700, // of a sheet
         "const gone = ['.theme', '.rail', '.skip', '.anchor', '.file', '.screen', '.tabs', '.origin summary'];
         return [gone.filter((name) => all(name).some(shown)), getComputedStyle(find('thead')).display,
-          getComputedStyle(find('figure.plot')).breakInside, all('.stills').every(shown),
+          getComputedStyle(find('figure.plot .scroll')).breakInside, all('.stills').every(shown),
           all('.origin dl').filter((dl) => dl.getBoundingClientRect().height > 0).length];",
     );
     // How a section's items were obtained stands there once, under the last.

@@ -17,7 +17,9 @@ impl View for Plan {
 
     fn headline(&self, findings: &[Record]) -> Headline {
         Headline::of(findings.first().map(|record| {
-            format!("**Which released defects would receipts have caught?** {}.", says(record))
+            let says = says(record);
+            let (answer, rest) = says.split_once(", ").unwrap_or((&says, ""));
+            format!("**Receipts detect known defects: {answer}**, {rest}.")
         }))
     }
 
@@ -49,8 +51,10 @@ fn table(defects: &[Defect]) -> Table {
         vec![
             Cell::text(&defect.what),
             Cell::text(&defect.stage),
-            Cell::text(words(&defect.bad)),
-            Cell::text(words(&defect.mended)),
+            Cell::text(defect.bad.versions.join(", ")),
+            rejected(&defect.bad),
+            Cell::text(defect.mended.versions.join(", ")),
+            rejected(&defect.mended),
             Cell::text(outcome).marked(mark),
         ]
     });
@@ -60,8 +64,8 @@ fn table(defects: &[Defect]) -> Table {
                problem), solver, or write-back (new velocities and reported forces). By \
                comparison: no step is rejected, but the errors are larger than in the run of the \
                corrected release.";
-    let headings = "what was wrong | stage | steps rejected, defective release | \
-                    steps rejected, corrected release | outcome";
+    let headings = "what was wrong | stage | defective release | #steps rejected | \
+                    corrected release | #steps rejected | outcome";
     Table::new("Known defects", how, headings, rows.collect())
 }
 
@@ -73,18 +77,16 @@ fn receipts(defects: &[Defect]) -> Table {
         Some(vec![release, Cell::text(first), Cell::text(&defect.source)])
     };
     let how = "The first error of the first rejected step, as its receipt states it, or the \
-               comparison of the two runs. expected_bias and expected_target are values that the \
-               adapter of the engine computes from the model.";
+               comparison of the two runs. The expected bias and target (expected_bias, \
+               expected_target) are computed by the engine's adapter from the model.";
     let headings = "defective release | the receipt says | corrected in";
     Table::new("What the receipts say", how, headings, defects.iter().filter_map(row).collect())
 }
 
-fn words(run: &Replay) -> String {
+/// The number of rejected steps and of all, or why there are none.
+fn rejected(run: &Replay) -> Cell {
     match &run.unavailable {
-        Some(why) => format!("{}: {why}", run.packages.join(", ")),
-        None => {
-            let (refused, frames) = (count(run.refused), count(run.frames));
-            format!("{}: {refused} of {frames}", run.versions.join(", "))
-        }
+        Some(why) => Cell::text(format!("{}: {why}", run.packages.join(", "))),
+        None => Cell::text(format!("{} of {}", count(run.refused), count(run.frames))),
     }
 }

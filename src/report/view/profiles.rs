@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::attempt::{listed, tolerance};
 use super::{Headline, Outcome, ReportPage, View};
+use crate::number::readable;
 use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -335,12 +336,30 @@ fn drawn(
     let groups = Group::ALL.into_iter().map(Some).chain([None]).map(group);
     Profiles {
         id: id.into(),
-        title: format!("Performance profiles, {cost}"),
+        title: finding(cost, solvers, columns.first().map_or(&[], |(_, profiles)| profiles)),
         caption: caption.into(),
         x: Axis::log("τ: cost relative to the cheapest solver", ""),
         y: Axis::linear("share solved", ""),
         columns: columns.iter().map(|(title, _)| title.clone()).collect(),
         groups: groups.filter(|group| !group.curves.is_empty()).collect(),
+    }
+}
+
+/// The finding: the solver that solves the most problems, and the one that is the cheapest most
+/// often.
+fn finding(cost: &str, solvers: &[String], profiles: &[Profile]) -> String {
+    let at_end = |profile: &Profile| profile.steps.last().map_or(0.0, |(_, share)| *share);
+    let best = |share: &dyn Fn(&Profile) -> f64| {
+        let shares = solvers.iter().zip(profiles.iter().map(share));
+        let (solver, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some((solver.clone(), format!("{}\u{a0}%", readable(100.0 * share, 2))))
+    };
+    match (best(&at_end), best(&at_one)) {
+        (Some((most, solved)), Some((cheapest, share))) => format!(
+            "Performance profiles: {most} solves the most problems ({solved}); by {cost}, {cheapest} is the \
+             cheapest most often ({share})"
+        ),
+        _ => format!("Performance profiles, {cost}"),
     }
 }
 
