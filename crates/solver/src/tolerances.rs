@@ -1,7 +1,7 @@
 //! Every numerical tolerance of the solvers: one name, one value, one reason.
 //!
-//! All but [`UNDERFLOW`] are relative, so that they depend on no unit. For comparison, one rounding
-//! of `f64` is up to 1.1e-16 of a number. The parameters of steps, such as a relaxation, are here
+//! All are relative, so that they depend on no unit. For comparison, one rounding of `f64` is up to
+//! 1.1e-16 of a number. The parameters of steps, such as a relaxation, are here
 //! too; limits of counts and of memory are where they are used.
 
 /// Default of [`Settings::tolerance`](crate::Settings), a scaled residual: far above rounding, so
@@ -19,9 +19,6 @@ pub(crate) const RESIDUAL_ROUNDING: f64 = 1e-12;
 /// The scaled residual that iterative refinement aims at: w is then summed with twice the digits,
 /// and only x is rounded.
 pub(crate) const REFINED_RESIDUAL: f64 = 1e-14;
-/// Below this, sums lose digits to underflow: their last digits come near the least normal number,
-/// 2e-308.
-pub(crate) const UNDERFLOW: f64 = 1e-280;
 
 // Dantzig's method; sizes of d are Σ √a_jj |d_j|.
 

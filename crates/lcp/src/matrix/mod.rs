@@ -13,6 +13,7 @@ mod sparse;
 pub use sparse::Sparse;
 use sparse::summed;
 
+use std::ops::Range;
 use std::sync::OnceLock;
 
 /// The square matrix A.
@@ -333,6 +334,23 @@ impl<'a> Row<'a> {
             k += stored[k..].iter().take_while(|&&column| column < j).count();
             *entry = if stored.get(k) == Some(&j) { self.values[k] } else { 0.0 };
         }
+    }
+
+    /// The columns from the first to the last entry that is not zero.
+    ///
+    /// ```
+    /// use lcplab_lcp::Matrix;
+    ///
+    /// let a = Matrix::sparse(4, &[(0, 1, 2.0), (0, 2, -1.0)]);
+    /// assert_eq!((a.row(0).span(), a.row(1).span()), (1..3, 0..0));
+    /// ```
+    #[inline]
+    pub fn span(self) -> Range<usize> {
+        let is_nonzero = |a: &f64| *a != 0.0;
+        let column = |k: usize| self.columns.map_or(k, |columns| columns[k]);
+        let first = self.values.iter().position(is_nonzero);
+        let last = self.values.iter().rposition(is_nonzero);
+        first.zip(last).map_or(0..0, |(first, last)| column(first)..column(last) + 1)
     }
 
     /// The entries (j, a_ij), j ascending.

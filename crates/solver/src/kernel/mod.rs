@@ -18,8 +18,9 @@
 //! selects the instruction set; results are bitwise identical with all.
 
 pub mod impulses;
+pub(crate) mod inverse_rows;
 pub(crate) mod lanes;
-pub(crate) mod panels;
+pub(crate) mod moves;
 pub(crate) mod rank_one;
 pub(crate) mod rows;
 pub mod table;

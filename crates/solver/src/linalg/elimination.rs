@@ -8,6 +8,7 @@ use crate::kernel::rank_one::add_multiple;
 use crate::tolerances::RELATIVE_ZERO;
 
 /// a − b, or exactly 0 if only rounding is left.
+#[inline(always)]
 pub fn difference(a: f64, b: f64) -> f64 {
     let difference = a - b;
     if difference.abs() <= RELATIVE_ZERO * (a.abs() + b.abs()) { 0.0 } else { difference }

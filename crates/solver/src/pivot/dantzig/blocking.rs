@@ -9,17 +9,10 @@ use std::ops::ControlFlow;
 
 use super::Side;
 use super::direction::Direction;
-use super::run::Run;
+use super::run::{Run, State};
 use crate::Status;
+use crate::kernel::moves::{Rows, length_to_bound};
 use crate::tolerances::LENGTH_TIE;
-
-/// A possible end of a move: a row that reaches this side after this length.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct End {
-    pub(super) length: f64,
-    pub(super) row: usize,
-    pub(super) side: Side,
-}
 
 /// The event that ends a move.
 #[derive(Debug)]
@@ -58,51 +51,36 @@ impl Run<'_> {
         }
     }
 
-    /// The nearest end of a move; the first of equally near ones.
+    /// The nearest end of a move; of equally near ones that which the module documentation names.
     fn find_nearest(&mut self, i: usize, sign: f64, d: &Direction) -> Option<Block> {
-        let mut ends = std::mem::take(&mut self.scratch.ends);
-        ends.clear();
-        ends.extend(self.ends(i, sign, d));
-        let least = ends.iter().fold(f64::INFINITY, |least, end| f64::min(least, end.length));
+        let State { x, w, away, .. } = &self.state;
+        let (lo, hi) = (self.lcp.lo(), self.lcp.hi());
+        let x = &x[..self.end];
+        let rows = Rows { x, w, lo, hi, away, d: &d.d, delta_w: &d.delta_w, sign };
+        let lengths = &mut self.scratch.lengths;
+        let zero = if d.schur > 0.0 { w[i].abs() / d.schur } else { f64::INFINITY };
+        let least = rows.lengths(self.width, lengths).min(zero);
         let together = least.max(0.0) * (1.0 + LENGTH_TIE);
-        let is_nearest = |end: &&End| end.length <= together && end.length < f64::INFINITY;
-        let nearest = ends.iter().find(is_nearest).copied();
-        self.scratch.ends = ends;
-        let End { length, row, side } = nearest?;
-        Some(Block { length: length.max(0.0), row, side, entering: None })
-    }
-
-    /// All possible ends of a move of x_i, in the order in which ties are broken.
-    fn ends(&self, i: usize, sign: f64, d: &Direction) -> impl Iterator<Item = End> {
-        let zero = if d.schur > 0.0 { self.state.w[i].abs() / d.schur } else { f64::INFINITY };
-        let driven = [End { length: zero, row: i, side: Side::Free }, self.end_at_bound(i, sign)];
-        let entering = self.basis.bound.iter().map(move |&row| {
-            let length = self.distance_to_zero(row, sign * d.delta_w[row]);
-            End { length, row, side: Side::Free }
-        });
-        let leaving = self.basis.free.iter().zip(&d.free);
-        let leaving = leaving.map(move |(&row, d)| self.end_at_bound(row, sign * d));
-        driven.into_iter().chain(entering).chain(leaving)
-    }
-
-    /// How far w_j of a row at a bound can move at this velocity until it is zero.
-    fn distance_to_zero(&self, j: usize, velocity: f64) -> f64 {
-        // A division costs less than a mispredicted branch.
-        let length = -self.state.w[j] / velocity;
-        let away = if self.state.side[j] == Side::Upper { velocity } else { -velocity };
-        if away > 0.0 && self.may_leave(j) { length } else { f64::INFINITY }
-    }
-
-    /// How far x_j can move at this velocity, and the bound it then reaches.
-    pub(super) fn end_at_bound(&self, row: usize, velocity: f64) -> End {
-        let (x, lo, hi) = (self.state.x[row], self.lcp.lo()[row], self.lcp.hi()[row]);
-        let (length, side) = if velocity > 0.0 {
-            ((hi - x) / velocity, Side::Upper)
-        } else if velocity < 0.0 {
-            ((lo - x) / velocity, Side::Lower)
-        } else {
-            (f64::INFINITY, Side::Free)
+        let is_nearest = |length: f64| length <= together && length < f64::INFINITY;
+        let block = |length: f64, row, side| {
+            Some(Block { length: length.max(0.0), row, side, entering: None })
         };
-        End { length: length.max(0.0), row, side }
+        let bound = |j: usize| if sign * d.d[j] > 0.0 { Side::Upper } else { Side::Lower };
+        if is_nearest(zero) {
+            return block(zero, i, Side::Free);
+        }
+        if is_nearest(lengths[i]) {
+            return block(lengths[i], i, bound(i));
+        }
+        if let Some(&j) = self.basis.bound.iter().find(|&&j| is_nearest(lengths[j])) {
+            return block(lengths[j], j, Side::Free);
+        }
+        let j = *self.basis.free.iter().find(|&&j| is_nearest(lengths[j]))?;
+        block(lengths[j], j, bound(j))
+    }
+
+    /// How far x_j can move at this velocity until it reaches a bound.
+    pub(super) fn length_to_bound(&self, j: usize, velocity: f64) -> f64 {
+        length_to_bound(self.state.x[j], [self.lcp.lo()[j], self.lcp.hi()[j]], velocity)
     }
 }

@@ -65,7 +65,9 @@ impl Run<'_> {
 
     /// Moves x off the bound that `row` of C has reached; returns whether that was possible.
     fn move_off_bound(&mut self, row: usize, served: &mut Vec<usize>) -> bool {
-        let Some(k) = self.basis.free.iter().position(|&j| j == row) else { return false };
+        if self.state.side[row] != Side::Free {
+            return false;
+        }
         let is_spare = |&j: &usize| match self.state.side[j] {
             Side::Dependent => true,
             Side::Lower | Side::Upper => self.may_leave(j) && self.state.w[j] == 0.0,
@@ -73,10 +75,10 @@ impl Run<'_> {
         };
         let rows =
             (0..self.state.x.len()).filter(is_spare).filter(|j| !served.contains(j)).collect();
-        for j in self.dependents(k, rows) {
+        for j in self.dependents(row, rows) {
             served.push(j);
             let ControlFlow::Continue(d) = self.direction(j) else { continue };
-            let leads_away = d.schur == 0.0 && d.free[k] != 0.0;
+            let leads_away = d.schur == 0.0 && d.d[row] != 0.0;
             let moved = leads_away && self.center(j, &d, Some(row));
             self.scratch.directions.push(d);
             if moved {
@@ -97,9 +99,8 @@ impl Run<'_> {
     fn center(&mut self, j: usize, d: &Direction, keeps: Option<usize>) -> bool {
         let free = &self.basis.free;
         let reach = |sign: f64| {
-            let of_free = free.iter().zip(&d.free);
-            let of_free = of_free.map(|(&k, d)| self.end_at_bound(k, sign * d).length);
-            of_free.fold(self.end_at_bound(j, sign).length, f64::min)
+            let of_free = free.iter().map(|&k| self.length_to_bound(k, sign * d.d[k]));
+            of_free.fold(self.length_to_bound(j, sign), f64::min)
         };
         let (forward, back) = (reach(1.0), reach(-1.0));
         let length = forward + back;
@@ -108,13 +109,14 @@ impl Run<'_> {
         }
         if self.observer.wants_details() {
             let x = &self.state.x;
-            let own = Centering { row: j, keeps, x, free, direction: &d.free, forward, back };
+            let direction = &d.free[..free.len()];
+            let own = Centering { row: j, keeps, x, free, direction, forward, back };
             self.observer.part(&StepDetail::Centering(own));
         }
         let t = (forward - back) / 2.0;
         self.state.x[j] += t;
-        for (&k, d) in self.basis.free.iter().zip(&d.free) {
-            self.state.x[k] += t * d;
+        for &k in &self.basis.free {
+            self.state.x[k] += t * d.d[k];
         }
         self.state.w[j] = 0.0;
         self.put(j, Side::Dependent);

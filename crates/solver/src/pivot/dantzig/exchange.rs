@@ -5,23 +5,20 @@ use std::ops::ControlFlow;
 use super::Side;
 use super::blocking::Block;
 use super::direction::Direction;
-use super::run::Run;
+use super::run::{Run, State};
 use crate::Status;
-use crate::linalg::elimination::difference;
+use crate::kernel::moves::advance;
 use crate::tolerances::SCHUR_ROUNDING;
 
 impl Run<'_> {
     /// x ← x + t d, w ← w + t A d.
     pub(super) fn advance(&mut self, i: usize, t: f64, direction: &Direction) {
-        self.state.x[i] += t;
-        for (&j, d) in self.basis.free.iter().zip(&direction.free) {
-            self.state.x[j] = difference(self.state.x[j], -t * d);
-        }
-        for &j in &self.basis.bound {
-            // exactly 0 where it should be; otherwise ties are missed
-            self.state.w[j] = difference(self.state.w[j], -t * direction.delta_w[j]);
-        }
-        self.state.w[i] += t * direction.schur;
+        let (x_i, w_i) = (self.state.x[i] + t, self.state.w[i] + t * direction.schur);
+        // exactly 0 where it should be; otherwise ties are missed
+        let State { x, w, .. } = &mut self.state;
+        let state = [&mut x[..self.end], &mut w[..self.end]];
+        advance(self.width, t, state, [&direction.d, &direction.delta_w]);
+        (self.state.x[i], self.state.w[i]) = (x_i, w_i);
     }
 
     /// Moves the blocking row to its new side.
@@ -43,7 +40,7 @@ impl Run<'_> {
                 let set_aside = (0..self.state.x.len())
                     .filter(|&j| self.state.side[j] == Side::Dependent)
                     .collect();
-                let dependents = self.dependents(k, set_aside);
+                let dependents = self.dependents(row, set_aside);
                 self.basis.free.remove(k);
                 self.basis.factor.remove(k);
                 self.state.w[row] = 0.0;
@@ -68,13 +65,12 @@ impl Run<'_> {
     }
 
     fn enter(&mut self, row: usize, direction: &Direction) {
-        self.basis.factor.enter(&direction.elimination, direction.schur);
+        self.basis.factor.enter(&direction.free, direction.schur);
         self.basis.free.push(row);
         self.put(row, Side::Free);
     }
 
-    /// Those of these rows that depend on the row at position k of C, so that one of them can
-    /// replace it.
+    /// Those of these rows that depend on row k of C, so that one of them can replace it.
     ///
     /// Row j is the sum of the rows of C times A_CC⁻¹ A_Cj. With z = A_CC⁻¹ e_k its coefficient of
     /// row k is zᵀA_Cj, and once k is removed its Schur complement is (zᵀA_Cj)² / z_k ≤ (zᵀA_Cj)²
@@ -83,14 +79,18 @@ impl Run<'_> {
         if rows.is_empty() {
             return rows;
         }
-        let mut z = vec![0.0; self.basis.free.len()];
-        z[k] = 1.0;
-        self.basis.factor.solve(&mut z);
-        let mut of_row = vec![0.0; self.state.x.len()];
-        for (&j, z) in self.basis.free.iter().zip(&z) {
-            of_row[j] = *z;
+        let mut unit = vec![0.0; self.basis.free.len().next_multiple_of(8)];
+        let mut minus_z = unit.clone();
+        let position = self.basis.free.iter().position(|&j| j == k).expect("a free row is in C");
+        unit[position] = 1.0;
+        self.basis.factor.subtract_solution(&unit, &mut minus_z);
+        let mut of_row = vec![0.0; self.state.x.len().next_multiple_of(8)];
+        let mut products = of_row.clone();
+        for (&j, minus_z) in self.basis.free.iter().zip(&minus_z) {
+            of_row[j] = *minus_z;
         }
-        let part = |j: usize| self.rows().row(j).dot(&of_row) * self.root[self.basis.free[k]];
+        self.rows().products(&rows, &of_row, &mut products);
+        let part = |j: usize| products[j] * self.root[k];
         let depends = |&j: &usize| part(j).powi(2) > SCHUR_ROUNDING * self.root[j].powi(2);
         rows.into_iter().filter(depends).collect()
     }

@@ -1,11 +1,11 @@
 //! Final refinement: recomputes w, refines x, and returns the rows that are not satisfied.
 
-use super::blocking::End;
 use super::run::Run;
 use super::{Side, is_unbounded};
 use crate::Fallback;
 use crate::linalg::ldlt::Ldlt;
-use crate::tolerances::{CLEANUP_LIMIT, INDEPENDENT_PIVOT, REFINED_RESIDUAL, UNDERFLOW};
+use crate::pivot::principal::Point;
+use crate::tolerances::{CLEANUP_LIMIT, INDEPENDENT_PIVOT, REFINED_RESIDUAL};
 use lcplab_lcp::{accurate, merit};
 
 /// Maximum number of sweeps that redistribute rounding errors between rows.
@@ -14,31 +14,24 @@ const CLEANUP_SWEEPS: usize = 200;
 const REFINEMENTS: usize = 2;
 
 impl Run<'_> {
-    /// Takes one step of refinement with the current factor, if necessary; returns whether nothing
-    /// is left to refine.
-    pub(super) fn refine_once(&mut self) -> bool {
-        self.project_and_measure() || !self.newton_step() && self.project_and_measure()
+    /// Takes one step of refinement with the current factor, if necessary; returns the point if
+    /// nothing is left to refine.
+    pub(super) fn refine_once(&mut self) -> Option<Point> {
+        self.refined().or_else(|| if self.newton_step() { None } else { self.refined() })
     }
 
-    /// Moves x back to bounds that rounding has crossed, and recomputes w; returns whether nothing
-    /// is left to refine.
-    fn project_and_measure(&mut self) -> bool {
+    /// Moves x back to bounds that rounding has crossed; returns the point if nothing is left to
+    /// refine.
+    fn refined(&mut self) -> Option<Point> {
         self.lcp.project_all(&mut self.state.x);
-        self.state.w = self.lcp.w(&self.state.x);
+        let point = self.point();
         let tolerance = self.settings.tolerance;
-        (0..self.state.x.len()).all(|j| {
+        let is_refined = (0..self.state.x.len()).all(|j| {
             let is_dependent = self.state.side[j] == Side::Dependent && is_unbounded(self.lcp, j);
             let most = if is_dependent { tolerance } else { tolerance.min(REFINED_RESIDUAL) };
-            let b = self.lcp.b()[j];
-            // at most Σ |a_jk x_k| + |b_j|, and usually large enough
-            let magnitude = (self.state.w[j] - b).abs() + b.abs();
-            let scale = self.lcp.matrix().diagonal(j);
-            let terms = merit::RowTerms { w: self.state.w[j], magnitude, scale, exponent: 0 };
-            let is_within =
-                |terms: merit::RowTerms| terms.scaled_residual(self.lcp, j, &self.state.x) <= most;
-            scale > 0.0 && magnitude > UNDERFLOW && is_within(terms)
-                || is_within(merit::RowTerms::at(self.lcp, j, &self.state.x))
-        })
+            point.residual(j) <= most
+        });
+        is_refined.then_some(point)
     }
 
     /// Selects C again among the rows with w = 0, largest pivot first.
@@ -46,16 +39,14 @@ impl Run<'_> {
         let rows: Vec<usize> = (0..self.state.x.len())
             .filter(|&j| matches!(self.state.side[j], Side::Free | Side::Dependent))
             .collect();
-        let (order, factor) = Ldlt::pivoted(rows.len(), INDEPENDENT_PIVOT, |r, c| {
-            self.lcp.matrix().entry(rows[r], rows[c])
-        });
+        let (free, factor) = Ldlt::pivoted(self.lcp.matrix(), &rows, INDEPENDENT_PIVOT);
         for &row in &rows {
             self.state.side[row] = Side::Dependent;
         }
-        self.basis.free = order.into_iter().map(|r| rows[r]).collect();
-        for &row in &self.basis.free {
+        for &row in &free {
             self.state.side[row] = Side::Free;
         }
+        self.basis.free = free;
         self.basis.factor = factor;
     }
 
@@ -67,22 +58,27 @@ impl Run<'_> {
     /// x_C ← x_C − t A_CC⁻¹ w_C with w recomputed: the whole step, t = 1, or as far as a bound
     /// allows. The row that reaches the bound leaves C; returns whether one did.
     fn newton_step(&mut self) -> bool {
-        let mut step: Vec<f64> = self.basis.free.iter().map(|&j| -self.accurate_w(j)).collect();
-        self.basis.factor.solve(&mut step);
-        let end = |(k, &j): (usize, &usize)| (k, self.end_at_bound(j, step[k]));
-        let ends = self.basis.free.iter().enumerate().map(end);
-        let nearest = ends.min_by(|(_, a), (_, b)| a.length.total_cmp(&b.length));
-        let blocked = nearest.filter(|(_, end)| end.length < 1.0);
-        let t = blocked.map_or(1.0, |(_, end)| end.length);
+        let mut w: Vec<f64> = self.basis.free.iter().map(|&j| self.accurate_w(j)).collect();
+        w.resize(w.len().next_multiple_of(8), 0.0);
+        let mut step = vec![0.0; w.len()];
+        self.basis.factor.subtract_solution(&w, &mut step);
+        let length = |(k, &j): (usize, &usize)| (k, self.length_to_bound(j, step[k]));
+        let lengths = self.basis.free.iter().enumerate().map(length);
+        let nearest = lengths.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        let blocked = nearest.filter(|(_, length)| *length < 1.0);
+        let t = blocked.map_or(1.0, |(_, length)| length);
         for (&j, step) in self.basis.free.iter().zip(&step) {
             self.state.x[j] =
                 (self.state.x[j] + t * step).max(self.lcp.lo()[j]).min(self.lcp.hi()[j]);
         }
-        if let Some((k, End { row, side, .. })) = blocked {
-            self.basis.free.remove(k);
+        if let Some((k, _)) = blocked {
+            let row = self.basis.free.remove(k);
             self.basis.factor.remove(k);
-            self.state.x[row] =
-                if side == Side::Lower { self.lcp.lo()[row] } else { self.lcp.hi()[row] };
+            let (bound, side) = match step[k] > 0.0 {
+                true => (self.lcp.hi()[row], Side::Upper),
+                false => (self.lcp.lo()[row], Side::Lower),
+            };
+            self.state.x[row] = bound;
             self.put(row, side);
         }
         blocked.is_some()

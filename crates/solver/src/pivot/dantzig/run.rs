@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
 use super::Side;
-use super::blocking::{Block, End};
+use super::blocking::Block;
 use super::direction::Direction;
 use crate::kernel::Width;
 use crate::kernel::rows::Rows;
@@ -21,13 +21,16 @@ const POLISH_ROUNDS: usize = 20;
 pub(super) struct Run<'a> {
     pub(super) lcp: &'a Lcp,
     /// The rows of A, created on first use.
-    rows: OnceCell<Rows<'a>>,
+    rows: OnceCell<Rows>,
+    pub(super) width: Width,
     /// √a_jj, which has the unit of √(x w) / x_j.
     pub(super) root: Vec<f64>,
     pub(super) settings: &'a Settings,
     pub(super) observer: &'a mut dyn Observer,
     pub(super) state: State,
     pub(super) basis: Basis,
+    /// All rows from this one on are unprocessed.
+    pub(super) end: usize,
     pub(super) scratch: Scratch,
     pub(super) pivots: usize,
     pub(super) fallback: Option<Fallback>,
@@ -39,10 +42,12 @@ pub(super) struct State {
     /// Valid for rows at a bound and the driven row.
     pub(super) w: Vec<f64>,
     pub(super) side: Vec<Side>,
+    /// For rows at a bound the direction in which w may always move, 1 or −1; 0 for rows that no w
+    /// makes leave their side.
+    pub(super) away: Vec<f64>,
 }
 
 /// The free rows and those at a bound, with the factor of the free ones.
-#[derive(Default)]
 pub(super) struct Basis {
     /// C, in the order of the factor's rows.
     pub(super) free: Vec<usize>,
@@ -59,8 +64,8 @@ pub(super) struct Scratch {
     /// time of small problems.
     #[expect(clippy::vec_box, reason = "they are taken out and put back")]
     pub(super) directions: Vec<Box<Direction>>,
-    /// Possible ends of a move.
-    pub(super) ends: Vec<End>,
+    /// For each row the length of a move after which its x reaches a bound or its w is zero.
+    pub(super) lengths: Vec<f64>,
 }
 
 impl<'a> Run<'a> {
@@ -75,20 +80,31 @@ impl<'a> Run<'a> {
         let n = lcp.len();
         Run {
             rows: OnceCell::new(),
+            width: Width::widest(),
             root: (0..n).map(|j| lcp.matrix().diagonal(j).max(0.0).sqrt()).collect(),
             lcp,
             settings,
             observer,
-            state: State { x, w: vec![0.0; n], side: vec![Side::Unprocessed; n] },
-            basis: Basis::default(),
-            scratch: Scratch::default(),
+            state: State {
+                x,
+                w: vec![0.0; n],
+                side: vec![Side::Unprocessed; n],
+                away: vec![0.0; n],
+            },
+            basis: Basis {
+                free: Vec::with_capacity(n),
+                bound: Vec::with_capacity(n),
+                factor: Ldlt::new(Width::widest()),
+            },
+            end: 0,
+            scratch: Scratch { lengths: vec![0.0; n], ..Scratch::default() },
             pivots,
             fallback: None,
         }
     }
 
-    pub(super) fn rows(&self) -> &Rows<'a> {
-        self.rows.get_or_init(|| Rows::of(self.lcp.matrix(), Width::widest()))
+    pub(super) fn rows(&self) -> &Rows {
+        self.rows.get_or_init(|| Rows::of(self.lcp.matrix(), self.width))
     }
 
     /// Drives all rows, free ones first since they never leave C, and refines x until it is a
@@ -104,8 +120,8 @@ impl<'a> Run<'a> {
                     return Err(status);
                 }
             }
-            if self.refine_once() {
-                return Ok(self.point());
+            if let Some(point) = self.refine_once() {
+                return Ok(point);
             }
             waiting = self.refine();
             if waiting.is_empty() {
@@ -116,13 +132,14 @@ impl<'a> Run<'a> {
         Ok(self.point())
     }
 
-    fn point(&self) -> Point {
+    pub(super) fn point(&self) -> Point {
         Point::at(self.lcp, self.state.x.clone())
     }
 
     /// Moves x_i until row i is satisfied.
     fn drive(&mut self, i: usize) -> ControlFlow<Status> {
         self.state.w[i] = self.lcp.row_w(i, &self.state.x);
+        self.end = self.end.max(i + 1);
         if self.pivots < self.settings.max_iterations && self.is_made_dependent(i) {
             return self.moved(i, i);
         }
@@ -198,14 +215,21 @@ impl<'a> Run<'a> {
                 w: &self.state.w,
                 side: &self.state.side,
                 free: &self.basis.free,
-                direction: &d.free,
+                direction: &d.free[..self.basis.free.len()],
                 schur: d.schur,
-                delta_w: &d.delta_w,
+                delta_w: &self.of_bound(&d.delta_w),
                 length: block.length,
                 blocking: block.row,
                 to: block.side,
             }));
         }
+    }
+
+    /// These entries of the rows at a bound; 0 for all others.
+    fn of_bound(&self, values: &[f64]) -> Vec<f64> {
+        let mut all = vec![0.0; self.state.x.len()];
+        self.basis.bound.iter().for_each(|&j| all[j] = values[j]);
+        all
     }
 
     /// The side on which row i is already satisfied, if any.
@@ -241,6 +265,11 @@ impl<'a> Run<'a> {
         if matches!(side, Side::Lower | Side::Upper) {
             self.basis.bound.push(row);
         }
+        self.state.away[row] = match side {
+            Side::Lower if self.may_leave(row) => 1.0,
+            Side::Upper if self.may_leave(row) => -1.0,
+            _ => 0.0,
+        };
     }
 
     /// Whether row j is at one of two bounds and may leave it.
@@ -253,8 +282,8 @@ impl<'a> Run<'a> {
     fn ray(&self, i: usize, sign: f64, d: &Direction) -> Status {
         let mut ray = vec![0.0; self.state.x.len()];
         ray[i] = sign;
-        for (&j, d) in self.basis.free.iter().zip(&d.free) {
-            ray[j] = sign * d;
+        for &j in &self.basis.free {
+            ray[j] = sign * d.d[j];
         }
         Status::Ray { row: i, direction: ray }
     }

@@ -1,4 +1,4 @@
-mod panels;
+mod inverse_rows;
 mod rank_one;
 mod rows;
 mod table;

@@ -1,7 +1,8 @@
-//! The panel factor, tested through the factorization of a growing and shrinking set.
+//! The rows of L⁻¹, tested through the factorization of a growing and shrinking set.
 
+use lcplab_lcp::Matrix;
 use lcplab_solver::kernel::Width;
-use lcplab_solver::linalg::ldlt::{Elimination, Ldlt};
+use lcplab_solver::linalg::ldlt::Ldlt;
 use nalgebra::{DMatrix, DVector};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -9,8 +10,16 @@ use proptest::prelude::*;
 use lcplab_testing::assert_close;
 use lcplab_testing::cases;
 
-/// Five full panels and a partial one.
+/// Five full eights and a partial one.
 const N: usize = 45;
+const PADDED: usize = 48;
+
+/// These numbers, then zeros.
+fn padded(values: &[f64]) -> [f64; PADDED] {
+    let mut padded = [0.0; PADDED];
+    padded[..values.len()].copy_from_slice(values);
+    padded
+}
 
 /// J Jᵀ + 1 where a row of J reaches at most `band` back.
 fn touching(j: &[f64], band: usize) -> DMatrix<f64> {
@@ -27,6 +36,22 @@ fn column(a: &DMatrix<f64>, set: &[usize], i: usize) -> DVector<f64> {
     DVector::from_fn(set.len(), |k, _| a[(set[k], i)])
 }
 
+/// −A_CC⁻¹ A_Ci in the order of the set, and A_iC A_CC⁻¹ A_Ci.
+fn direction(a: &DMatrix<f64>, set: &[usize], factor: &Ldlt, i: usize) -> ([f64; PADDED], f64) {
+    let mut direction = [0.0; PADDED];
+    let column = padded(column(a, set, i).as_slice());
+    let product = factor.subtract_solution(&column, &mut direction);
+    (direction, product)
+}
+
+/// A_CC⁻¹ of this vector.
+fn solution(factor: &Ldlt, rhs: &[f64]) -> Vec<f64> {
+    let mut x = [0.0; PADDED];
+    factor.subtract_solution(&padded(rhs), &mut x);
+    assert_eq!(x[rhs.len()..], [0.0; PADDED][rhs.len()..]);
+    x[..rhs.len()].iter().map(|x| -x).collect()
+}
+
 /// An existing row is removed, any other is added.
 fn exchange(a: &DMatrix<f64>, set: &mut Vec<usize>, factor: &mut Ldlt, row: usize) {
     if let Some(k) = set.iter().position(|&r| r == row) {
@@ -34,9 +59,8 @@ fn exchange(a: &DMatrix<f64>, set: &mut Vec<usize>, factor: &mut Ldlt, row: usiz
         factor.remove(k);
         return;
     }
-    let mut elimination = Elimination::default();
-    let product = factor.eliminate(column(a, set, row).as_slice(), &mut elimination);
-    factor.enter(&elimination, a[(row, row)] - product);
+    let (direction, product) = direction(a, set, factor, row);
+    factor.enter(&direction, a[(row, row)] - product);
     set.push(row);
 }
 
@@ -54,18 +78,17 @@ proptest! {
         rows in rows(), rhs in vec(-1.0..1.0f64, N),
     ) {
         let a = touching(&j, band);
-        let (mut set, mut factor) = (Vec::new(), Ldlt::default());
+        let (mut set, mut factor) = (Vec::new(), Ldlt::new(Width::widest()));
         for row in rows {
             exchange(&a, &mut set, &mut factor, row);
         }
         let cholesky = block(&a, &set).cholesky().unwrap();
-        let mut z = rhs[..set.len()].to_vec();
-        let expected = cholesky.solve(&DVector::from_column_slice(&z));
-        factor.solve(&mut z);
-        assert_close(&z, expected.as_slice(), 1e-12);
+        let rhs = &rhs[..set.len()];
+        let expected = cholesky.solve(&DVector::from_column_slice(rhs));
+        assert_close(&solution(&factor, rhs), expected.as_slice(), 1e-12);
         for i in 0..N {
             let column = column(&a, &set, i);
-            let product = factor.eliminate(column.as_slice(), &mut Elimination::default());
+            let (_, product) = direction(&a, &set, &factor, i);
             let expected = column.dot(&cholesky.solve(&column)); // aᵀ A_CC⁻¹ a
             prop_assert!((product - expected).abs() <= 1e-12 * a[(i, i)], "{product} for {expected}");
         }
@@ -76,15 +99,13 @@ proptest! {
         j in vec(-1.0..1.0f64, N * N), band in prop::sample::select(vec![2, N]), rows in rows(),
     ) {
         let a = touching(&j, band);
-        let solution = |width| {
+        let of_ones = |width| {
             let (mut set, mut factor) = (Vec::new(), Ldlt::new(width));
             rows.iter().for_each(|&row| exchange(&a, &mut set, &mut factor, row));
-            let mut z = vec![1.0; set.len()];
-            factor.solve(&mut z);
-            z
+            solution(&factor, &[1.0; N][..set.len()])
         };
         for width in Width::available() {
-            prop_assert_eq!(solution(width), solution(Width::Portable), "{:?}", width);
+            prop_assert_eq!(of_ones(width), of_ones(Width::Portable), "{:?}", width);
         }
     }
 
@@ -94,7 +115,8 @@ proptest! {
     ) {
         let j = DMatrix::from_fn(N, rank, |r, c| j[r * N + c]);
         let a = &j * j.transpose();
-        let (chosen, factor) = Ldlt::pivoted(N, 1e-9, |r, c| a[(r, c)]);
+        let all: Vec<usize> = (0..N).collect();
+        let (chosen, factor) = Ldlt::pivoted(&Matrix::from(a.as_view()), &all, 1e-9);
         // The fraction of a_ii that row i keeps with these rows: its relative Schur complement.
         let kept = |set: &[usize], i: usize| {
             let column = column(&a, set, i);
@@ -110,8 +132,6 @@ proptest! {
         }
         let expected: Vec<f64> = (0..rank).map(|k| k as f64 - 3.0).collect();
         let rhs = block(&a, &chosen) * DVector::from_column_slice(&expected);
-        let mut z = rhs.as_slice().to_vec();
-        factor.solve(&mut z);
-        assert_close(&z, &expected, 1e-6);
+        assert_close(&solution(&factor, rhs.as_slice()), &expected, 1e-6);
     }
 }
