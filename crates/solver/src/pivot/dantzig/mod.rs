@@ -72,8 +72,8 @@ impl Solver for Dantzig {
             let status = Status::OutsideClass { reason: "A is not symmetric" };
             return Solution::outside_class(lcp, x, status, 0, &self.settings);
         }
-        // Memory: two triangles, the factor and its recomputation.
-        let needs = Memory::square(lcp.len());
+        // Memory: two triangles, the factor and its recomputation, and the rows of A.
+        let needs = Memory::square(lcp.len()).times(2);
         if let Some(status) = opening::begin(lcp, &x, needs, &self.settings, observer) {
             return Solution::new(lcp, x, status, 0);
         }
