@@ -23,7 +23,7 @@ use crate::assembly::{Assembly, Row};
 use crate::constraint::Bounds;
 use lcplab_lcp::Matrix;
 use lcplab_solver::linalg::envelope::Envelope;
-use lcplab_solver::linalg::ldlt::{Elimination, Ldlt};
+use lcplab_solver::linalg::ldlt::Ldlt;
 
 /// A row is dependent if its pivot, a_rr minus a sum of squares, is below this fraction of a_rr.
 /// Rounding alone can leave that much: an entry of A is a sum of 12 products and a pivot one of c
@@ -130,17 +130,19 @@ fn follow(a: &Matrix, rows: &[usize], bias: &mut [f64], scale: f64) {
     if is_independent(&own) {
         return;
     }
-    let (mut factor, mut elimination) = (Ldlt::default(), Elimination::default());
-    let mut chosen: Vec<usize> = Vec::new();
+    let (mut factor, mut chosen) = (Ldlt::default(), Vec::<usize>::new());
     for j in 0..rows.len() {
-        let column: Vec<f64> = chosen.iter().map(|&c| own.entry(c, j)).collect();
-        let left = own.diagonal(j) - factor.eliminate(&column, &mut elimination);
+        let mut column: Vec<f64> = chosen.iter().map(|&c| own.entry(c, j)).collect();
+        column.resize(chosen.len().next_multiple_of(8), 0.0);
+        // Row j is the sum of the chosen rows times −direction, if nothing is left of it.
+        let mut direction = vec![0.0; column.len()];
+        let left = own.diagonal(j) - factor.subtract_solution(&column, &mut direction);
         if left > INDEPENDENT * own.diagonal(j) {
-            factor.enter(&elimination, left);
+            factor.enter(&direction, left);
             chosen.push(j);
         } else {
-            let z: Vec<f64> = factor.substitute(&mut elimination).collect();
-            let follows: f64 = chosen.iter().zip(&z).map(|(&c, z)| z * bias[rows[c]]).sum();
+            let follows: f64 =
+                chosen.iter().zip(&direction).map(|(&c, part)| -part * bias[rows[c]]).sum();
             let asked = bias[rows[j]];
             let drift = DRIFT * asked.abs().max(follows.abs());
             let rest = REST * scale * own.diagonal(j);

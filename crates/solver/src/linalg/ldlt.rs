@@ -23,6 +23,12 @@ use lcplab_lcp::Matrix;
 #[derive(Debug, Clone)]
 pub struct Ldlt(InverseRows);
 
+impl Default for Ldlt {
+    fn default() -> Self {
+        Ldlt::new(Width::widest())
+    }
+}
+
 impl Ldlt {
     /// The factors for an empty C.
     pub fn new(width: Width) -> Self {
