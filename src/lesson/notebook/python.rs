@@ -44,14 +44,17 @@ impl Program {
 
     /// Prose with embedded drawings.
     fn drawn(&self, text: &str) -> Value {
-        let mut cell = prose(text);
-        let own =
-            self.drawings.iter().filter(|(name, _)| text.contains(&format!("](drawings/{name})")));
-        for (name, svg) in own {
-            let text =
-                text.replace(&format!("](drawings/{name})"), &format!("](attachment:{name})"));
-            cell["source"] = json!(lined(&text));
-            cell["attachments"][*name] = attached(svg);
+        let (mut text, mut attachments) = (text.to_string(), json!({}));
+        for (name, svg) in self.drawings {
+            let link = format!("](drawings/{name})");
+            if text.contains(&link) {
+                text = text.replace(&link, &format!("](attachment:{name})"));
+                attachments[*name] = attached(svg);
+            }
+        }
+        let mut cell = prose(&text);
+        if attachments != json!({}) {
+            cell["attachments"] = attachments;
         }
         cell
     }

@@ -181,9 +181,9 @@ fn a_step_that_simulate_accepts_is_accepted_as_a_file() {
         &["step.scheme=\"acceleration\"", "step.alpha=20", "step.dt=0.002"],
     ] {
         let set: Vec<&str> = settings.iter().flat_map(|set| ["--set", set]).collect();
-        let simulated = run(&[&["simulate", &scene, "--steps", "8"], &set[..]].concat());
+        let simulated = run(&[&["simulate", &scene, "--steps", "16"], &set[..]].concat());
         assert_eq!(simulated.status.code(), Some(0), "{}", out(&simulated));
-        for step in 1..=8 {
+        for step in 1..=16 {
             let step = step.to_string();
             let exported = out(&run(&[&["export", &scene, "--step", &step], &set[..]].concat()));
             let solved = run_with(&exported, &["solve", "-", "--json"]);

@@ -26,8 +26,9 @@ const MAX_ROWS: usize = 300;
 const MOST_ERROR: f64 = 1e-4;
 /// A range that is shorter than this part of the largest force is a single value.
 const UNIQUE: f64 = 1e-6;
-/// Relative rounding error of w, per term.
-const ROUNDING: f64 = 1e-15;
+/// Part of a row's terms below which w may be 0: b contains the gap, a difference of positions that
+/// are rounded, divided by the time step.
+const ROUNDING: f64 = 1e-12;
 
 /// A row of a program: entries, and a right-hand side.
 type Line = (Vec<(usize, f64)>, f64);
@@ -65,7 +66,7 @@ impl Ranges {
         let w = lcp.w(x);
         for i in 0..lcp.len() {
             let terms: f64 = lcp.matrix().row(i).iter().map(|(j, a)| (a * x[j]).abs()).sum();
-            let rounding = ROUNDING * lcp.len() as f64 * (terms + lcp.b()[i].abs());
+            let rounding = ROUNDING * (terms + lcp.b()[i].abs());
             let may_be_zero = w[i].abs() <= error * lcp.matrix().diagonal(i).sqrt() + rounding;
             set.bound(lcp, i, x, if may_be_zero { 0.0 } else { w[i] });
             // Compliance makes a force unique: w = J u + γ x.

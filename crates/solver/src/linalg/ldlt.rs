@@ -35,9 +35,9 @@ impl Ldlt {
         Ldlt(InverseRows::new(width))
     }
 
-    /// The factors of a maximal independent subset of these rows, and the subset in pivot order. The
-    /// next pivot is always the row that has kept the largest fraction of its diagonal entry, until
-    /// all remaining rows are below the given fraction.
+    /// The factors of a maximal independent subset of these rows, and the subset in pivot order.
+    /// The next pivot is always the row that has kept the largest fraction of its diagonal entry,
+    /// until all remaining rows are below the given fraction.
     pub fn pivoted(matrix: &Matrix, rows: &[usize], independent: f64) -> (Vec<usize>, Self) {
         let (n, width) = (matrix.len(), Width::widest());
         let (a, mut factor, mut chosen) = (Rows::of(matrix, width), Ldlt::new(width), Vec::new());

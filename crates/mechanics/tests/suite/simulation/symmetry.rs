@@ -182,9 +182,9 @@ fn bits(states: &[State]) -> u64 {
 /// resting contacts, one with joints, one with rolling and impacts. Sums, products, quotients and
 /// square roots in a fixed order, and sines of libm: every IEEE 754 processor gives these.
 const AFTER_500: [(&str, u64); 3] = [
-    ("stack", 0xd3b5_74f1_dfb3_bb29),
+    ("stack", 0xc43c_bbf0_bf68_e1d9),
     ("double_pendulum", 0x983c_9e65_7ee1_d6d1),
-    ("ball_chain", 0xaad9_50f3_57b7_1f94),
+    ("ball_chain", 0xf782_9434_e55b_45f1),
 ];
 
 #[test]
