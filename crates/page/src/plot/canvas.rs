@@ -11,7 +11,7 @@ use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
-use super::style::{self, FONTS, PAPER};
+use super::style::{self, FONTS, PAPER, WIDTH};
 pub use crate::escape::xml_line as escape;
 
 /// The number of drawing units per px.
@@ -24,6 +24,9 @@ const LINE: f64 = 22.0;
 /// A picture whose height is above this multiple of its width is too tall for a column of a printed
 /// page, which then has the wide picture.
 const TALL: f64 = 3.0;
+/// A wide picture whose height is above this part of its width has small letters if its height is
+/// limited on a printed page.
+const SQUARE: f64 = 0.75;
 
 /// The drawing area of plotters.
 pub type Layer<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -175,7 +178,12 @@ impl Canvas {
         let title = if title.is_empty() { description } else { title };
         let (id, title, description) = (escape(id), escape(title), escape(description));
         let is_tall = self.is_printed_wide || self.height > TALL * self.width;
-        let class = if is_tall { " class=\"tall\"" } else { "" };
+        let is_square = self.width >= WIDTH && self.height > SQUARE * self.width;
+        let class = match (is_tall, is_square) {
+            (true, _) => " class=\"tall\"",
+            (false, true) => " class=\"square\"",
+            (false, false) => "",
+        };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\"{class} width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\" \
