@@ -148,7 +148,29 @@ impl Scale {
     }
 }
 
+/// A tick without a label on a symmetric axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Minor {
+    /// The position.
+    pub at: f64,
+    /// Whether the linear part ends here.
+    pub is_end: bool,
+}
+
 impl Scale {
+    /// The ends of the linear part of a symmetric axis, and 1, 2 and 5 times the powers of ten
+    /// beyond; none on other axes, which need none.
+    pub(super) fn minor(self, (lo, hi): (f64, f64)) -> Vec<Minor> {
+        let Scale::Symmetric(power) = self else { return Vec::new() };
+        let powers = (power..power + 2 * DECADES).map(|exponent| 10f64.powi(exponent));
+        let values = powers.flat_map(|power| [power, 2.0 * power, 5.0 * power]);
+        let ticks = values.enumerate().flat_map(|(k, value)| {
+            let at = self.position(value).unwrap_or(f64::INFINITY);
+            [-at, at].map(|at| Minor { at, is_end: k == 0 })
+        });
+        ticks.filter(|tick| (lo..=hi).contains(&tick.at)).collect()
+    }
+
     /// Zero, and powers of ten above the linear part.
     fn both_signs(self, (lo, hi): (f64, f64), power: i32, wanted: usize) -> Vec<Tick> {
         let at = |exponent: i32| self.position(10f64.powi(exponent)).unwrap_or(f64::INFINITY);

@@ -247,6 +247,7 @@ fn map(frame: &Frame, (x, panel): (&Axis, &Panel)) -> Map {
         let path = path(frame, (x, panel), series);
         match series.look {
             Look::Points => path.iter().for_each(|point| map.marker(*point)),
+            _ if series.is_spot() => path.iter().for_each(|point| map.marker(*point)),
             _ => map.line(&path),
         }
     }

@@ -6,7 +6,7 @@ use plotters::prelude::*;
 
 use super::canvas::{Anchor, Canvas, dashes, escape, fine, stroke};
 use super::line::{Lines, Look, MARGIN, ROW};
-use super::marker::{draw_markers, draw_zeros};
+use super::marker::{draw_markers, draw_rings, draw_zeros};
 use super::style::{self, FAINT_INK, INK, Marker, Style, TEXT, THEORY, width};
 
 /// The legend's text for the mark of a zero, which a logarithmic axis cannot show.
@@ -50,6 +50,8 @@ pub(super) struct Legend<'a> {
     /// The names in order of appearance, with their positions in px.
     entries: Vec<(&'a str, (f64, f64))>,
     pub looks: BTreeMap<&'a str, Drawn>,
+    /// The entry of the spots.
+    spots: Option<&'a str>,
     pub rows: usize,
 }
 
@@ -87,8 +89,15 @@ impl<'a> Legend<'a> {
             let color = tint.unwrap_or(THEORY);
             (*name, Drawn { color, width: style::BAND, dash: &[], marker: None })
         }));
-        looks.extend(named(Look::Reference).map(|(name, _)| {
-            (*name, Drawn { color: INK, width: style::THIN, dash: &[], marker: None })
+        // A spot has the color of its curve.
+        let colors: Vec<RGBColor> = named(Look::Reference)
+            .map(|(name, _)| {
+                let curve = looks.iter().find(|(curve, _)| belongs(name, curve));
+                curve.map_or(INK, |(_, drawn)| drawn.color)
+            })
+            .collect();
+        looks.extend(named(Look::Reference).zip(colors).map(|((name, _), color)| {
+            (*name, Drawn { color, width: style::THIN, dash: &[], marker: None })
         }));
 
         let (mut x, mut row) = (style::EDGE, 0);
@@ -99,13 +108,14 @@ impl<'a> Legend<'a> {
         let labeled = |name: &str| series().any(|other| other.end.is_some() && other.name == name);
         let belongs = |name: &str| figure.names().any(|other| belongs(name, other));
         let is_listed = |name: &&str| !labeled(name) && !belongs(name);
-        let theory = figure.names().any(belongs).then_some(THEORIES);
-        if theory.is_some() {
+        let theory = shared(&kinds, Look::Theory, belongs);
+        let spots = shared(&kinds, Look::Reference, belongs);
+        if let Some(theory) = theory {
             let band = Drawn { color: THEORY, width: style::BAND, dash: &[], marker: None };
-            looks.insert(THEORIES, band);
+            looks.insert(theory, band);
         }
-        for name in kinds.iter().map(|(name, _)| *name).filter(is_listed).chain(theory).chain(zero)
-        {
+        let listed = kinds.iter().map(|(name, _)| *name).filter(is_listed);
+        for name in listed.chain(theory).chain(spots).chain(zero) {
             let length = SAMPLE + 8.0 + width(name, TEXT);
             if x + length > room - MARGIN && x > style::EDGE {
                 (x, row) = (style::EDGE, row + 1);
@@ -113,7 +123,7 @@ impl<'a> Legend<'a> {
             entries.push((name, (x, 53.0 + ROW * row as f64)));
             x += length + 20.0;
         }
-        Legend { rows: if entries.is_empty() { 0 } else { row + 1 }, entries, looks }
+        Legend { rows: if entries.is_empty() { 0 } else { row + 1 }, entries, looks, spots }
     }
 
     /// Draws it, lower by this distance (px).
@@ -122,7 +132,10 @@ impl<'a> Legend<'a> {
             let y = y + lower;
             let middle = (x + SAMPLE / 2.0, y);
             let Some(drawn) = self.looks.get(name) else {
-                draw_zeros(canvas, &[middle], FAINT_INK);
+                match self.spots == Some(name) {
+                    true => draw_rings(canvas, &[middle], FAINT_INK),
+                    false => draw_zeros(canvas, &[middle], FAINT_INK),
+                }
                 self.name(canvas, name, middle);
                 continue;
             };
@@ -137,6 +150,20 @@ impl<'a> Legend<'a> {
         let at = (middle + SAMPLE / 2.0 + 8.0, y + 5.0);
         canvas.text(at, Anchor::Start, TEXT, INK, name);
     }
+}
+
+/// The entry of all theories, or of all spots, that belong to curves: what their names say after a
+/// colon, if that is the same.
+fn shared<'a>(
+    kinds: &[(&'a str, Look)],
+    wanted: Look,
+    belongs: impl Fn(&str) -> bool,
+) -> Option<&'a str> {
+    let own = kinds.iter().filter(|(name, look)| *look == wanted && belongs(name));
+    let said: Vec<&str> =
+        own.map(|(name, _)| name.split_once(": ").map_or(THEORIES, |(_, said)| said)).collect();
+    let first = said.first()?;
+    Some(if said.iter().all(|own| own == first) { first } else { THEORIES })
 }
 
 /// The attribute that names the curve to which a theory belongs; empty without one.

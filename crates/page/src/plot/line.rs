@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use plotters::prelude::*;
 
 use super::axis::{Axis, Scale, Tick};
-use super::canvas::{Anchor, Canvas, Frame, dashes, escape, stroke};
+use super::canvas::{Anchor, Canvas, Frame, dashes, escape, fine, stroke};
 use super::cut::cut;
 use super::ends;
 use super::key::Key;
 use super::legend::{self, Drawn, Legend};
-use super::marker::{draw_zeros, marker_places};
+use super::marker::{draw_rings, draw_zeros, marker_places};
 use super::points::{self, Placed};
 use super::simplify::simplified;
 use super::style::{self, FAINT_INK, GRID, INK, TEXT, width};
@@ -26,6 +26,13 @@ const TICK: f64 = 90.0;
 
 /// The distance from one panel to the next in px.
 const BETWEEN: f64 = 44.0;
+
+/// Curves coincide where they differ by at most this part of the axis: the width of the band.
+const COINCIDES: f64 = 0.015;
+
+/// The lengths of ticks without labels in px: where the linear part of an axis ends, and others.
+const LONG: f64 = 12.0;
+const SHORT: f64 = 4.0;
 
 /// The heights of a panel to scale in px, and about what the labels left of it take.
 const LOWEST_MAP: f64 = 160.0;
@@ -50,6 +57,7 @@ pub(super) const ROW: f64 = 24.0;
 /// ];
 /// let (x, y) = (Axis::linear("sweep", ""), Axis::log("residual", ""));
 /// assert_eq!(series[0].size(), 1.0); // the largest magnitude
+/// assert_eq!(Series::spot("pgs", "half", (0.5, 0.5)).points.len(), 1); // a ring on its curve
 /// let lines = Lines::new("rate", "PGS converges by ¼ per sweep", "", x, y, series);
 /// let lines = lines.with_scales_explained(); // adds nothing: no axis is symmetric
 /// assert!(lines.svg().contains("rate ¼"));
@@ -87,8 +95,8 @@ impl Lines {
     pub fn with_scales_explained(mut self) -> Self {
         let is_symmetric = |panel: &Panel| matches!(panel.y.scale, Scale::Symmetric(_));
         if self.panels.iter().any(is_symmetric) {
-            self.caption +=
-                " An axis with 0 and powers of ten is linear near 0 and logarithmic beyond.";
+            self.caption += " An axis with 0 and powers of ten is linear near 0, up to the long ticks, and logarithmic \
+                 beyond; the short ticks are 1, 2 and 5 times powers of ten.";
         }
         self
     }
@@ -101,6 +109,38 @@ pub struct Panel {
     pub y: Axis,
     /// The curves; a name looks the same in every panel.
     pub series: Vec<Series>,
+}
+
+impl Panel {
+    /// The same, with one label `law and 3 engines` at the curve with this name and at those that
+    /// coincide with it, which have labels of the kind `noun` (in the plural).
+    pub fn with_one_label(mut self, law: &str, noun: &str) -> Self {
+        let scale = self.y.scale;
+        let height = |(_, y): &(f64, f64)| scale.position(*y);
+        let all = self.series.iter().flat_map(|own| own.points.iter().filter_map(height));
+        let (lo, hi) =
+            all.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), at| (lo.min(at), hi.max(at)));
+        let Some(own) = self.series.iter().find(|own| own.name == law) else { return self };
+        let points = own.points.clone();
+        let coincides = |own: &Series| {
+            let pairs = own.points.iter().zip(&points).map(|(a, b)| (height(a), height(b)));
+            own.look == Look::Measured
+                && own.points.len() == points.len()
+                && pairs.into_iter().all(|(a, b)| {
+                    a.zip(b).is_some_and(|(a, b)| (a - b).abs() <= COINCIDES * (hi - lo))
+                })
+        };
+        let mut count = 0;
+        for series in self.series.iter_mut().filter(|own| coincides(own)) {
+            series.end = Some(String::new());
+            count += 1;
+        }
+        let noun = if count == 1 { noun.trim_end_matches('s') } else { noun };
+        if let Some(own) = self.series.iter_mut().find(|own| own.name == law && count > 0) {
+            own.end = Some(format!("{law} and {count} {noun}"));
+        }
+        self
+    }
 }
 
 /// A named curve.
@@ -150,6 +190,16 @@ impl Series {
     /// A known value or limit.
     pub fn reference(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Series { name: name.into(), points, look: Look::Reference, end: None }
+    }
+
+    /// A place on a curve, such as its minimum: a ring in its color, with an entry in the legend.
+    pub fn spot(curve: &str, what: &str, point: (f64, f64)) -> Self {
+        Series::reference(format!("theory, {curve}: {what}"), vec![point])
+    }
+
+    /// Whether it is one known point.
+    pub(super) fn is_spot(&self) -> bool {
+        self.look == Look::Reference && self.points.len() == 1
     }
 
     /// The largest magnitude of the curve; 0 without points.
@@ -240,6 +290,7 @@ impl Figure for Lines {
             let frame = Frame { x, y: *y, left, right, top, bottom: top + plot };
             let last = k + 1 == self.panels.len();
             draw_grid(&mut canvas, &frame, &columns, rows, last);
+            draw_minor(&mut canvas, &frame, panel.y.scale);
             canvas.raw(&points::panel(&frame, &self.x, Some(&panel.y)));
             self.draw_curves(&mut canvas, &frame, panel, &legend.looks);
             canvas.raw("</g>\n");
@@ -318,13 +369,19 @@ impl Lines {
     ) {
         let (measured, others): (Vec<&Series>, Vec<&Series>) =
             panel.series.iter().partition(|series| series.look.is_measured());
+        // Rings lie above the curves.
+        let mut spots = Vec::new();
         for series in others {
             let of = legend::of(&series.name, self.names());
             canvas.raw(&format!(
                 "<g class=\"series\" data-series=\"{}\"{of}>\n",
                 escape(&series.name)
             ));
-            self.draw_line(canvas, frame, panel, series, &looks[series.name.as_str()]);
+            let drawn = &looks[series.name.as_str()];
+            let shown = self.draw_line(canvas, frame, panel, series, drawn);
+            if series.is_spot() {
+                spots.push((shown, drawn.color, of));
+            }
             canvas.raw("</g>\n");
         }
         for (k, series) in measured.into_iter().enumerate() {
@@ -345,6 +402,11 @@ impl Lines {
                 .collect();
             zeros.dedup_by(|a, b| (a.0 - b.0).abs() < 14.0);
             draw_zeros(canvas, &zeros, drawn.color);
+            canvas.raw("</g>\n");
+        }
+        for (shown, color, of) in spots {
+            canvas.raw(&format!("<g class=\"series\"{of}>\n"));
+            draw_rings(canvas, &shown, color);
             canvas.raw("</g>\n");
         }
     }
@@ -466,6 +528,22 @@ fn draw_grid(canvas: &mut Canvas, frame: &Frame, columns: &[Tick], rows: &[Tick]
         let (x, _) = frame.place((tick.at, frame.y.0));
         canvas.text((x, frame.bottom + 19.0), Anchor::Middle, TEXT, FAINT_INK, &tick.label);
     }
+}
+
+/// Draws the ticks without labels at the left edge.
+fn draw_minor(canvas: &mut Canvas, frame: &Frame, scale: Scale) {
+    let ticks = scale.minor(frame.y);
+    if ticks.is_empty() {
+        return;
+    }
+    canvas.layer("", |layer| {
+        ticks.iter().try_for_each(|tick| {
+            let (x, y) = frame.place((frame.x.0, tick.at));
+            let length = if tick.is_end { LONG } else { SHORT };
+            let ends = [(x, y), (x + length, y)].map(|(x, y)| (fine(x), fine(y)));
+            layer.draw(&PathElement::new(ends, stroke(FAINT_INK, 1.0)))
+        })
+    });
 }
 
 /// Among consecutive points in the same pixel column, keeps the first, the lowest, the highest and

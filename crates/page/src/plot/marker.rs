@@ -7,6 +7,8 @@ use super::style::{self, Marker};
 
 /// Distance between two markers of one curve in px.
 const MARKER_DISTANCE: f64 = 92.0;
+/// Radius of a ring in px.
+const RING: f64 = 5.5;
 
 /// The points of the k-th curve that get a marker: all points of a short curve, otherwise one per
 /// [`MARKER_DISTANCE`], staggered between curves.
@@ -52,6 +54,17 @@ pub(super) fn draw_zeros(canvas: &mut Canvas, spots: &[(f64, f64)], color: RGBCo
             layer.draw(&Polygon::new(Marker::Wedge.outline(*spot), style::PAPER.filled()))
         })
     });
+}
+
+/// Draws rings around places on a curve.
+pub(super) fn draw_rings(canvas: &mut Canvas, spots: &[(f64, f64)], color: RGBColor) {
+    for (x, y) in spots {
+        canvas.raw(&format!(
+            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{RING}\" fill=\"#ffffff\" stroke=\"{}\" \
+             stroke-width=\"2.4\"/>\n",
+            hex((color.0, color.1, color.2))
+        ));
+    }
 }
 
 impl Marker {

@@ -42,6 +42,66 @@ fn points_are_all_marked_none_joined_and_decide_the_range() {
 }
 
 #[test]
+fn a_spot_is_a_ring_in_the_color_of_its_curve_and_bands_have_the_key_that_they_state() {
+    let points = || vec![(0.0, 1.0), (1.0, 0.0), (2.0, 1.0)];
+    let series = vec![
+        Series::measured("pgs", points()).labeled(""),
+        Series::theory("theory, pgs: closed form", points()).labeled(""),
+        Series::spot("pgs", "least", (1.0, 0.0)).labeled("pgs"),
+    ];
+    let figure = figure(Scale::Linear, Scale::Linear, series);
+    let svg = figure.svg();
+    // One on the curve, and one in the legend.
+    assert_eq!(svg.matches("<circle").count(), 2);
+    let ring =
+        svg.split("<circle").find(|part| part.contains("#005EAA") || part.contains("#005eaa"));
+    assert!(ring.is_some(), "the color of pgs");
+    assert_eq!(svg.matches(">closed form</text>").count(), 1);
+    assert_eq!(svg.matches(">least</text>").count(), 1);
+    assert_eq!(svg.matches(">theory</text>").count(), 0);
+    assert_well_formed(&figure);
+}
+
+#[test]
+fn curves_that_coincide_with_a_law_have_one_label_with_it() {
+    let line = |end: f64| vec![(0.0, 0.0), (1.0, end)];
+    let panel = |ends: &[(&'static str, f64)]| {
+        let law = Series::theory("law", line(1.0)).labeled("law");
+        let curves =
+            ends.iter().map(|(name, end)| Series::measured(*name, line(*end)).labeled(*name));
+        let series = std::iter::once(law).chain(curves).collect();
+        Panel { y: Axis::linear("y", ""), series }.with_one_label("law", "engines")
+    };
+    let shown = |ends: &[(&'static str, f64)]| -> Vec<String> {
+        let labels = panel(ends).series.into_iter().filter_map(|own| own.end);
+        labels.filter(|label| !label.is_empty()).collect()
+    };
+    assert_eq!(shown(&[("a", 1.0), ("b", 1.001), ("c", 3.0)]), ["law and 2 engines", "c"]);
+    assert_eq!(shown(&[("a", 1.0), ("c", 3.0)]), ["law and 1 engine", "c"]);
+    assert_eq!(shown(&[("a", 2.0), ("c", 3.0)]), ["law", "a", "c"]);
+}
+
+#[test]
+fn a_symmetric_axis_has_ticks_within_its_decades_and_long_ones_where_it_ceases_to_be_linear() {
+    let ticks = |scale: Scale| {
+        let points = vec![(0.0, -30.0), (1.0, 300.0)];
+        let svg = figure(Scale::Linear, scale, vec![Series::measured("pgs", points)]).svg();
+        let lines = svg.split("points=\"").skip(1).filter_map(|part| part.split('"').next());
+        let lengths = lines.filter_map(|line| {
+            let ends: Vec<f64> =
+                line.split([' ', ',']).filter_map(|number| number.parse().ok()).collect();
+            let [x0, y0, x1, y1] = ends[..] else { return None };
+            (y0 == y1).then_some(x1 - x0)
+        });
+        let lengths: Vec<f64> = lengths.collect();
+        [120.0, 40.0].map(|long| lengths.iter().filter(|own| **own == long).count())
+    };
+    // Linear up to 1: −1 and 1 are long; −2, −5, −10, −20, 2, 5, … 200 are short.
+    assert_eq!(ticks(Scale::Symmetric(0)), [2, 4 + 7]);
+    assert_eq!(ticks(Scale::Linear), [0, 0]);
+}
+
+#[test]
 fn a_lone_peak_survives_thinning() {
     let heights = |k: i32| if k == 54_321 { 1.0 } else { 0.0 };
     let points = |wide| (0..100_000).map(|k| (k.into(), wide * heights(k))).collect();

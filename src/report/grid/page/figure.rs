@@ -34,28 +34,41 @@ pub(super) fn figure(
     y.most.is_finite().then_some(())?;
     let finding = finding(curves, measure, &series)
         .unwrap_or_else(|| format!("{} against {}", words_of(measure), curves.across));
-    let mut words = vec![format!("{}: {}.", words_of(measure), measure.about)];
+    let mut words = vec![format!("{}.", sentence(measure.about))];
     let label = words_of(measure);
     let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
-    let floor = if y_wide { y.smallest } else { y.least };
+    let bands = match *measure == ITERATIONS {
+        true => "if all error decayed at ρ",
+        false => "closed form",
+    };
     let theory = |curve: &Curve| {
         let points = curve.predicted(measure);
-        let name = format!("theory, {}", curve.name);
+        let name = format!("theory, {}: {bands}", curve.name);
         points.iter().any(|(_, y)| y.is_finite()).then(|| Series::theory(name, points).labeled(""))
     };
     let theory: Vec<Series> = shown.iter().filter_map(theory).collect();
     if !theory.is_empty() {
         series.extend(theory);
-        series.extend(shown.iter().filter_map(|curve| {
-            let best = curves.optimum(curve)?;
-            let name = format!("ω* of {}", curve.name);
-            Some(Series::reference(&name, vec![(best, floor), (best, y.most)]).labeled(name))
-        }));
         let theory = match *measure == ITERATIONS {
-            true => "Pale bands: if all of the error decayed at the slowest rate.",
+            true => "Pale bands: if all of the error decayed at the slowest rate, ρ per sweep.",
             false => "Pale bands: the closed form.",
         };
         words.push(theory.into());
+        let spots = shown.iter().filter_map(|curve| {
+            let best = curves.optimum(curve)?;
+            let at = (best, lower(&curve.measured(measure), best)?);
+            Some((&curve.name, Series::spot(&curve.name, "ω*", at).labeled(&curve.name)))
+        });
+        let spots: Vec<_> = spots.collect();
+        if !spots.is_empty() {
+            words.push("Rings: the best ω, by the closed form.".into());
+        }
+        for (name, spot) in spots {
+            // Its label names the curve where it is apart from the others.
+            let curve = series.iter_mut().find(|own| own.name == *name);
+            curve.into_iter().for_each(|own| own.end = Some(String::new()));
+            series.push(spot);
+        }
     }
     if grid.axes.iter().any(|axis| axis.paths == [REPEAT]) {
         words.push("Each point is the median of its repetitions.".into());
@@ -81,6 +94,13 @@ pub(super) fn figure(
     Some(figure.with_scales_explained())
 }
 
+/// The lower one of the curve's points next to a position.
+fn lower(points: &[(f64, f64)], x: f64) -> Option<f64> {
+    let finite: Vec<_> = points.iter().filter(|(_, y)| y.is_finite()).collect();
+    let ends = finite.windows(2).find(|ends| (ends[0].0..=ends[1].0).contains(&x))?;
+    Some(ends[0].1.min(ends[1].1))
+}
+
 /// The finding: where the measure is least, if every curve has its least value inside the axis;
 /// otherwise how the last values compare with the first ones; where these have no ratio, as values
 /// of both signs, the largest value.
@@ -90,9 +110,9 @@ fn finding(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<
         .or_else(|| largest(curves, measure, series))
 }
 
-/// Where the curves have their least values, from the curve with the leftmost one to that with the
-/// rightmost one. `None` for values of both signs, whose least is the most negative, and where the
-/// ends of a curve are hardly larger.
+/// Where the curves have their least values, and how that place moves from the first curve to the
+/// last one. `None` for values of both signs, whose least is the most negative, and where the ends
+/// of a curve are hardly larger.
 fn least(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
     let inside = |own: &Series| {
         let finite = || own.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
@@ -102,26 +122,30 @@ fn least(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<St
         is_inside.then(|| (*x, own.name.clone()))
     };
     let mut places: Vec<_> = series.iter().map(inside).collect::<Option<_>>()?;
-    places.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (first, last) = (places.first()?, places.last()?);
-    let place = |(x, name): &(f64, String)| {
-        let across = &curves.across;
-        let of = if places.len() == 1 { String::new() } else { format!(" for {name}") };
-        format!("{across} = {}{of}", readable(*x, 3))
-    };
-    let range = match places.len() {
-        1 => place(first),
-        _ => format!("{} and at {}", place(first), place(last)),
-    };
+    let across = &curves.across;
     let what = match *measure == ITERATIONS {
         true => "fewest iterations".into(),
         false => format!("smallest {}", words_of(measure)),
     };
-    Some(format!("{what} at {range}"))
+    let rises = places.is_sorted_by(|a, b| a.0 <= b.0);
+    let falls = places.is_sorted_by(|a, b| a.0 >= b.0);
+    if !rises && !falls {
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
+    let (first, last) = (places.first()?, places.last()?);
+    let moves = match (rises, falls) {
+        (true, true) => return Some(format!("{what} at {across} = {}", readable(first.0, 3))),
+        (true, false) => "rises from",
+        (false, true) => "falls from",
+        (false, false) => "is between",
+    };
+    let to = if rises || falls { "to" } else { "and" };
+    let place = |(x, name): &(f64, String)| format!("{} ({name})", readable(*x, 3));
+    Some(format!("the {across} with the {what} {moves} {} {to} {}", place(first), place(last)))
 }
 
-/// The ratio of the last value to the first one, from the curve with the least ratio to that with
-/// the largest one.
+/// How the last value compares with the first one, with the curve of the largest ratio and with
+/// that of the least.
 fn last_and_first(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
     let ratio = |own: &Series| {
         let mut finite = own.points.iter().filter(|(x, y)| x.is_finite() && *y > 0.0);
@@ -132,21 +156,37 @@ fn last_and_first(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> 
     ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
     let [(least, _, lowest), .., (most, (from, to), highest)] = &ratios[..] else { return None };
     let (what, across) = (words_of(measure), &curves.across);
-    let (from, to) = (readable(*from, 3), readable(*to, 3));
+    let growth = if *from > 0.0 { to / from } else { 0.0 };
+    // "twice the bodies give", or "from sweeps = 0 to 50,".
+    let (give, leave) = match growth >= 2.0 {
+        true => {
+            let change = times(growth, across);
+            (format!("{change} give"), format!("{change} leave"))
+        }
+        false => {
+            let change = format!("from {across} = {} to {},", readable(*from, 3), readable(*to, 3));
+            (change.clone(), change)
+        }
+    };
     Some(if *most < 1.0 {
-        let percent = |ratio: f64| readable(100.0 * ratio, 2);
-        format!(
-            "{what} at {across} = {to}: {} % ({lowest}) to {} % ({highest}) of that at {from}",
-            percent(*least),
-            percent(*most)
-        )
+        let [least, most] = [least, most].map(|ratio| readable(100.0 * ratio, 2));
+        format!("{leave} {least} % of the {what} with {lowest}, {most} % with {highest}")
     } else {
-        format!(
-            "{what} at {across} = {to}: {} ({lowest}) to {} times ({highest}) that at {from}",
-            readable(*least, 2),
-            readable(*most, 2)
-        )
+        let least = match readable(*least, 2).as_str() {
+            "1" => "the same".into(),
+            "2" => "twice".into(),
+            least => format!("{least} times"),
+        };
+        format!("{give} {} with {highest}, {least} with {lowest}", times(*most, &what))
     })
+}
+
+/// A multiple of something.
+fn times(ratio: f64, what: &str) -> String {
+    match readable(ratio, 2).as_str() {
+        "2" => format!("twice the {what}"),
+        ratio => format!("{ratio} times the {what}"),
+    }
 }
 
 /// The largest value.
@@ -164,17 +204,26 @@ fn largest(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<
     ))
 }
 
-/// A measure's name in words.
+/// A measure in words.
 fn words_of(measure: &Measure) -> String {
-    measure.name.replace('_', " ")
+    match measure.name {
+        "rate" => "error factor per iteration".into(),
+        "work" => "multiplications".into(),
+        "seconds" => "time".into(),
+        name => name.replace('_', " "),
+    }
+}
+
+/// A text with a capital first letter.
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect()
 }
 
 /// The spread of values.
 pub(super) struct Spread {
     least: f64,
     most: f64,
-    /// The least above 0.
-    smallest: f64,
     /// Whether they suggest a logarithmic axis.
     wide: bool,
 }
@@ -195,7 +244,7 @@ impl Spread {
             });
         let is_geometric = values.len() > 2 && least > 0.0 && widest <= EVEN * closest;
         let wide = least >= 0.0 && (most / smallest >= WIDE || is_geometric);
-        Spread { least, most, smallest, wide }
+        Spread { least, most, wide }
     }
 
     /// Whether the values suggest a logarithmic axis and allow one.

@@ -35,7 +35,7 @@ pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage)
 fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
     let Phenomenon { x, y, .. } = phenomenon;
     let points = |y: &[f64]| x.values.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>();
-    let panel = |title: &str, chosen: &dyn Fn(&Column) -> bool| {
+    let panel = |title: &str, noun: &str, chosen: &dyn Fn(&Column) -> bool| {
         let drawn = phenomenon.columns.iter().filter(|own| !own.y.is_empty() && chosen(own));
         let measured = drawn.map(|own| {
             Series::measured(name(record, own), points(&own.y)).labeled(name(record, own))
@@ -44,18 +44,18 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
         let series: Vec<Series> = std::iter::once(law).chain(measured).collect();
         let sizes = series.iter().map(Series::size);
         let y = Axis::fitting(format!("{title}: {}", y.name), &y.unit, sizes);
-        Panel { y, series }
+        Panel { y, series }.with_one_label("law", noun)
     };
     let panels = [
-        panel("As installed", &|own| own.settings == DEFAULTS),
-        panel("Accurate", &|own| own.settings == ACCURATE),
-        panel("lcplab", &|own| own.engine == OWN),
+        panel("As installed", "engines", &|own| own.settings == DEFAULTS),
+        panel("Accurate", "engines", &|own| own.settings == ACCURATE),
+        panel("lcplab", "schemes", &|own| own.engine == OWN),
     ];
     Lines {
         id: format!("cards_{}", phenomenon.name),
         title: title(record, phenomenon),
-        caption: "The pale band is the law. Above: engines as installed; in the middle: with settings for accuracy; \
-                  below: lcplab's schemes."
+        caption: "The pale band is the law, not what it allows: judged are the numbers in the table. Above: engines \
+                  as installed; in the middle: with settings for accuracy; below: lcplab's schemes."
             .into(),
         x: match phenomenon.log {
             true => Axis::log(&x.name, &x.unit),
