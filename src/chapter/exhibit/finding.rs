@@ -90,7 +90,8 @@ impl Finding {
     /// Sets these curves as the figure.
     pub(crate) fn plot(mut self, lines: &Lines) -> Self {
         let caption = lines.caption().into();
-        self.picture = Some(Picture { svg: lines.svg(), caption, ..Picture::default() });
+        let (svg, narrow) = (lines.svg(), lines.narrow());
+        self.picture = Some(Picture { svg, narrow, caption, ..Picture::default() });
         self
     }
 

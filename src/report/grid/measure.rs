@@ -73,8 +73,11 @@ pub const MEASURES: [Measure; 16] = [
 
 /// The wall time of stepping and solving, which is recorded separately from machine-independent
 /// results.
-pub static SECONDS: Measure =
-    measure("seconds", "s", "the wall time of stepping and solving, on a shared machine");
+pub static SECONDS: Measure = measure(
+    "seconds",
+    "s",
+    "the wall time of stepping and solving, on a shared machine; in a report the least of up to five runs",
+);
 
 /// The result at a point; the same for any number of threads and for machines of one kind.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

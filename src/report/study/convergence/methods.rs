@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::report::methods;
 use crate::report::study::posed::Source;
 use crate::report::study::trial::Outcome;
-use crate::solver::{Options, Registry, Settings};
+use crate::solver::{Entry, Options, Registry, Settings};
 
 /// The problems and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -98,11 +98,20 @@ pub struct Clock {
 }
 
 impl Methods {
-    /// Runs the methods on a problem.
+    /// Runs the methods on a problem, several times for the clock.
     ///
     /// # Errors
     /// If the problem or the solver does not exist.
     pub(crate) fn run(&self, problem: &Source, solvers: &Registry) -> Result<(Progress, Clock)> {
+        self.run_by(watch::timed, problem, solvers)
+    }
+
+    fn run_by(
+        &self,
+        run: fn(&Entry, &Posed, &Options) -> watch::Run,
+        problem: &Source,
+        solvers: &Registry,
+    ) -> Result<(Progress, Clock)> {
         let posed = match problem {
             Source::Stack(stack) => {
                 let problem = stack.problem()?;
@@ -115,7 +124,7 @@ impl Methods {
             .with_max_iterations(self.max_iterations);
         let options = Options::default().with_settings(settings).with_omega(self.omega);
         let runs = methods::entries(&self.solvers, solvers)?;
-        let (methods, clock) = runs.iter().map(|entry| watch::run(entry, &posed, &options)).unzip();
+        let (methods, clock) = runs.iter().map(|entry| run(entry, &posed, &options)).unzip();
         let progress = Progress {
             problem: problem.name(),
             rows: posed.lcp.len(),
@@ -132,7 +141,7 @@ impl Methods {
     /// # Errors
     /// If the problem or the solver does not exist.
     pub(crate) fn choose(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
-        let mut progress = self.run(problem, solvers)?.0;
+        let mut progress = self.run_by(watch::run, problem, solvers)?.0;
         for method in &mut progress.methods {
             let end = method.marks.len().saturating_sub(1);
             let kept =

@@ -398,7 +398,7 @@ pub(super) fn by_second(clock: &Clock) -> Lines {
     Lines::new(
         format!("timings_{}", anchor(&clock.problem)),
         clock_title(clock),
-        "The runs of the section *Convergence of the residual*, plotted against wall time. It includes the \
+        "The residuals of the same runs, plotted against wall time: the least of up to five runs. It includes the \
          stopping tests, but not the recording of iterates; other processes may have run at the same time.",
         Axis::log("time", "ms"),
         Axis::log("scaled residual", ""),
