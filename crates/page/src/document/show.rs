@@ -27,8 +27,8 @@ pub trait Show {
 
 impl<F: Figure> Show for F {
     fn blocks(&self) -> Result<Vec<Block>> {
-        let picture =
-            Picture { svg: self.svg(), caption: self.words().into(), ..Picture::default() };
+        let (svg, narrow, caption) = (self.svg(), self.narrow(), self.words().into());
+        let picture = Picture { svg, narrow, caption, ..Picture::default() };
         Ok(vec![Block::Figure(picture)])
     }
 }

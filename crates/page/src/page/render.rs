@@ -24,10 +24,22 @@ const TALL: usize = 40;
 /// A table with more rows than this may break across printed pages.
 const LONG_TABLE: usize = 20;
 
+/// Of a table with more rows than this only the marked ones are printed.
+const UNPRINTED: usize = 100;
+
 /// A table with more columns than this is set smaller,
 const WIDE: usize = 9;
 /// and one with more than this as small as is readable.
 const WIDEST: usize = 11;
+
+/// The width of the text on a phone, of a letter of a table, of the space between its columns, and
+/// of a cell that wraps, in px.
+const PHONE: f64 = 358.0;
+const LETTER: f64 = 7.3;
+const BETWEEN: f64 = 17.6;
+const LONGEST: f64 = 224.0;
+/// A wider table of numbers, in widths of a phone, has a list for each row there.
+const PHONES: f64 = 1.35;
 
 #[derive(Template)]
 #[template(path = "page.html")]
@@ -385,12 +397,46 @@ fn tiles(list: &[Tile]) -> String {
 }
 
 impl TableView<'_> {
-    /// Whether a phone shows each row as a list: columns of words do not fit its width.
+    /// Whether a phone shows each row as a list: columns of words do not fit its width, nor do many
+    /// columns of numbers.
     fn is_stacked(&self) -> bool {
-        let is_plain = |title: &str| !title.is_empty() && !title.contains(['$', '*', '`', '[']);
         let columns = &self.table.columns;
+        let is_plain =
+            |own: &Column| !own.title.is_empty() && !own.title.contains(['$', '*', '`', '[']);
+        let is_words = |own: &Column| own.align == Align::Left;
         columns.len() > 2
-            && columns.iter().all(|own| own.align == Align::Left && is_plain(&own.title))
+            && columns.iter().all(is_plain)
+            && (columns.iter().all(is_words) || self.width() > PHONES * PHONE)
+    }
+
+    /// Whether such a list has its numbers in pairs.
+    fn has_pairs(&self) -> bool {
+        self.is_stacked() && self.table.columns.iter().any(|own| own.align == Align::Right)
+    }
+
+    /// The number of rows with a mark of failure or attention.
+    fn marked(&self) -> usize {
+        let is_marked = |cell: &Cell| matches!(cell.mark, Mark::Bad | Mark::Note);
+        self.table.rows.iter().filter(|row| row.iter().any(is_marked)).count()
+    }
+
+    /// The estimated width of the columns on a phone (px): of cells, and of the words of headings.
+    fn width(&self) -> f64 {
+        let width = |text: &str| LETTER * text.chars().count() as f64;
+        let cell = |text: &str| if text.chars().count() > LONG { LONGEST } else { width(text) };
+        let column = |k: usize| {
+            let cells = self.table.rows.iter().filter_map(|row| Some(cell(&row.get(k)?.text)));
+            let heading = self.heading(&k);
+            let words = heading.split(' ').map(width);
+            cells.chain(words).fold(0.0, f64::max) + BETWEEN
+        };
+        (0..self.table.columns.len()).map(column).sum()
+    }
+
+    /// The heading of a column as plain text, with its unit.
+    fn heading(&self, k: &usize) -> String {
+        let Column { title, unit, .. } = &self.table.columns[*k];
+        if unit.is_empty() { title.clone() } else { format!("{title} ({unit})") }
     }
 
     fn class(&self, k: &usize, cell: &Cell) -> String {

@@ -103,3 +103,40 @@ fn a_table_of_words_names_the_column_in_each_cell_for_narrow_screens_and_one_of_
     assert!(!html.contains(r#"data-column="what was wrong""#));
     assert!(!page(table()).contains("data-column=\""));
 }
+
+/// A page with only this table.
+fn page_of(table: Table) -> String {
+    let (id, title, blocks) = ("one".into(), "One".into(), vec![Block::Table(table)]);
+    let section = Section { id, title, blocks, ..Section::default() };
+    Page { title: "A page".into(), sections: vec![section], ..Page::default() }.render().unwrap()
+}
+
+#[test]
+fn a_table_of_more_numbers_than_a_phone_has_room_for_names_the_column_in_each_cell() {
+    let html = |columns: usize| {
+        let heads: Vec<String> = (0..columns).map(|k| format!("#x{k} (m)")).collect();
+        let row = |at: f64| {
+            let numbers = (0..columns).map(|k| Cell::number(at + 0.001 * k as f64, 4));
+            std::iter::once(Cell::text("case")).chain(numbers).collect()
+        };
+        let headings = format!("case | {}", heads.join(" | "));
+        page_of(Table::new("Numbers", "", &headings, vec![row(1.0), row(2.0)]))
+    };
+    // Ten numbers of five digits need about twice the width, two fit.
+    assert!(html(10).contains("data-column=\"x3 (m)\">1.003<"), "{}", html(10));
+    assert!(!html(2).contains("data-column=\""));
+}
+
+#[test]
+fn of_a_table_of_many_sheets_only_marked_rows_are_printed() {
+    let html = |rows: usize| {
+        let row = |k: usize| {
+            let mark = if k == 7 { Mark::Bad } else { Mark::Good };
+            vec![Cell::text(format!("case {k}")), Cell::count(k).marked(mark)]
+        };
+        page_of(Table::new("Cases", "", "case | #number", (0..rows).map(row).collect()))
+    };
+    let says = "Of the 404 rows only those with a ✗ or ! are printed: 1.";
+    assert!(html(404).contains(says) && html(404).contains("unprinted\""));
+    assert!(!html(40).contains("Of the 40 rows") && !html(40).contains("unprinted\""));
+}
