@@ -43,13 +43,14 @@ fn no_page_scrolls_sideways_on_desk_or_phone() {
 }
 
 #[test]
-fn a_wide_table_scrolls_in_its_own_frame() {
+fn a_table_too_wide_and_too_tall_for_a_phone_is_a_list_that_scrolls_in_its_own_frame() {
     let seen = sample().seen(
         390,
         "const frame = find('#table-2 .scroll');
-        return [frame.scrollWidth > frame.clientWidth + 100, frame.tabIndex, frame.scrollHeight > frame.clientHeight];",
+        return [getComputedStyle(find('#table-2 tbody tr')).display === 'table-row', frame.scrollWidth > frame.clientWidth,
+          frame.tabIndex, frame.scrollHeight > frame.clientHeight];",
     );
-    assert_eq!(seen, json!([true, 0, true]));
+    assert_eq!(seen, json!([false, false, 0, true]));
 }
 
 #[test]

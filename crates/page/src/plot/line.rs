@@ -114,6 +114,17 @@ pub struct Panel {
 impl Panel {
     /// The same, with one label `law and 3 engines` at the curve with this name and at those that
     /// coincide with it, which have labels of the kind `noun` (in the plural).
+    ///
+    /// ```
+    /// use lcplab_page::plot::{Axis, Panel, Series};
+    ///
+    /// let line = || vec![(0.0, 0.0), (1.0, 2.0)];
+    /// let names = ["Bullet", "Drake"].map(|name| Series::measured(name, line()).labeled(name));
+    /// let series = [vec![Series::theory("law", line()).labeled("law")], names.to_vec()].concat();
+    /// let panel = Panel { y: Axis::linear("speed", "m/s"), series };
+    /// let panel = panel.with_one_label("law", "engines");
+    /// assert_eq!(panel.series[0].end.as_deref(), Some("law and 2 engines"));
+    /// ```
     pub fn with_one_label(mut self, law: &str, noun: &str) -> Self {
         let scale = self.y.scale;
         let height = |(_, y): &(f64, f64)| scale.position(*y);
