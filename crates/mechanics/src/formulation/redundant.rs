@@ -132,11 +132,10 @@ fn follow(a: &Matrix, rows: &[usize], bias: &mut [f64], scale: f64) {
     }
     let (mut factor, mut chosen) = (Ldlt::default(), Vec::<usize>::new());
     for j in 0..rows.len() {
-        let mut column: Vec<f64> = chosen.iter().map(|&c| own.entry(c, j)).collect();
-        column.resize(chosen.len().next_multiple_of(8), 0.0);
         // Row j is the sum of the chosen rows times −direction, if nothing is left of it.
-        let mut direction = vec![0.0; column.len()];
-        let left = own.diagonal(j) - factor.subtract_solution(&column, &mut direction);
+        let (direction, product) =
+            factor.eliminate(chosen.iter().map(|&c| own.entry(c, j)).collect());
+        let left = own.diagonal(j) - product;
         if left > INDEPENDENT * own.diagonal(j) {
             factor.enter(&direction, left);
             chosen.push(j);

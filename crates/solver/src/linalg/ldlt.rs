@@ -53,10 +53,8 @@ impl Ldlt {
                 return (chosen, factor);
             };
             let i = left.remove(k);
-            let mut column = vec![0.0; chosen.len().next_multiple_of(8)];
-            let mut left_of_one = column.clone();
-            column.iter_mut().zip(&chosen).for_each(|(entry, &j)| *entry = a.row(i).entry(j));
-            factor.subtract_solution(&column, &mut left_of_one);
+            let column = chosen.iter().map(|&j| a.row(i).entry(j)).collect();
+            let (left_of_one, _) = factor.eliminate(column);
             let mut direction = vec![0.0; n.next_multiple_of(8)];
             direction[i] = 1.0;
             chosen.iter().zip(&left_of_one).for_each(|(&j, entry)| direction[j] = *entry);
@@ -69,9 +67,17 @@ impl Ldlt {
         }
     }
 
+    /// −A_CC⁻¹ a, in the order of C and then zeros, and aᵀ A_CC⁻¹ a.
+    pub fn eliminate(&self, mut a: Vec<f64>) -> (Vec<f64>, f64) {
+        a.resize(a.len().next_multiple_of(8), 0.0);
+        let mut x = vec![0.0; a.len()];
+        let product = self.subtract_solution(&a, &mut x);
+        (x, product)
+    }
+
     /// x ← x − A_CC⁻¹ a; returns aᵀ A_CC⁻¹ a. Both are in the order of C, with zeros after it at
     /// least up to the next multiple of eight.
-    pub fn subtract_solution(&self, a: &[f64], x: &mut [f64]) -> f64 {
+    pub(crate) fn subtract_solution(&self, a: &[f64], x: &mut [f64]) -> f64 {
         self.0.subtract_projections(a, x)
     }
 

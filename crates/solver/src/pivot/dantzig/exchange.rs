@@ -79,11 +79,8 @@ impl Run<'_> {
         if rows.is_empty() {
             return rows;
         }
-        let mut unit = vec![0.0; self.basis.free.len().next_multiple_of(8)];
-        let mut minus_z = unit.clone();
-        let position = self.basis.free.iter().position(|&j| j == k).expect("a free row is in C");
-        unit[position] = 1.0;
-        self.basis.factor.subtract_solution(&unit, &mut minus_z);
+        let unit = self.basis.free.iter().map(|&j| f64::from(j == k)).collect();
+        let (minus_z, _) = self.basis.factor.eliminate(unit);
         let mut of_row = vec![0.0; self.state.x.len().next_multiple_of(8)];
         let mut products = of_row.clone();
         for (&j, minus_z) in self.basis.free.iter().zip(&minus_z) {

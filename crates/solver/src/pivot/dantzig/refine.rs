@@ -58,10 +58,8 @@ impl Run<'_> {
     /// x_C ← x_C − t A_CC⁻¹ w_C with w recomputed: the whole step, t = 1, or as far as a bound
     /// allows. The row that reaches the bound leaves C; returns whether one did.
     fn newton_step(&mut self) -> bool {
-        let mut w: Vec<f64> = self.basis.free.iter().map(|&j| self.accurate_w(j)).collect();
-        w.resize(w.len().next_multiple_of(8), 0.0);
-        let mut step = vec![0.0; w.len()];
-        self.basis.factor.subtract_solution(&w, &mut step);
+        let w = self.basis.free.iter().map(|&j| self.accurate_w(j)).collect();
+        let (step, _) = self.basis.factor.eliminate(w);
         let length = |(k, &j): (usize, &usize)| (k, self.length_to_bound(j, step[k]));
         let lengths = self.basis.free.iter().enumerate().map(length);
         let nearest = lengths.min_by(|(_, a), (_, b)| a.total_cmp(b));

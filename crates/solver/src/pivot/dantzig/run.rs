@@ -94,7 +94,7 @@ impl<'a> Run<'a> {
             basis: Basis {
                 free: Vec::with_capacity(n),
                 bound: Vec::with_capacity(n),
-                factor: Ldlt::new(Width::widest()),
+                factor: Ldlt::default(),
             },
             end: 0,
             scratch: Scratch { lengths: vec![0.0; n], ..Scratch::default() },

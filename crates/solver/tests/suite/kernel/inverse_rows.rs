@@ -12,14 +12,6 @@ use lcplab_testing::cases;
 
 /// Five full eights and a partial one.
 const N: usize = 45;
-const PADDED: usize = 48;
-
-/// These numbers, then zeros.
-fn padded(values: &[f64]) -> [f64; PADDED] {
-    let mut padded = [0.0; PADDED];
-    padded[..values.len()].copy_from_slice(values);
-    padded
-}
 
 /// J Jᵀ + 1 where a row of J reaches at most `band` back.
 fn touching(j: &[f64], band: usize) -> DMatrix<f64> {
@@ -37,19 +29,16 @@ fn column(a: &DMatrix<f64>, set: &[usize], i: usize) -> DVector<f64> {
 }
 
 /// −A_CC⁻¹ A_Ci in the order of the set, and A_iC A_CC⁻¹ A_Ci.
-fn direction(a: &DMatrix<f64>, set: &[usize], factor: &Ldlt, i: usize) -> ([f64; PADDED], f64) {
-    let mut direction = [0.0; PADDED];
-    let column = padded(column(a, set, i).as_slice());
-    let product = factor.subtract_solution(&column, &mut direction);
-    (direction, product)
+fn direction(a: &DMatrix<f64>, set: &[usize], factor: &Ldlt, i: usize) -> (Vec<f64>, f64) {
+    factor.eliminate(column(a, set, i).as_slice().to_vec())
 }
 
 /// A_CC⁻¹ of this vector.
 fn solution(factor: &Ldlt, rhs: &[f64]) -> Vec<f64> {
-    let mut x = [0.0; PADDED];
-    factor.subtract_solution(&padded(rhs), &mut x);
-    assert_eq!(x[rhs.len()..], [0.0; PADDED][rhs.len()..]);
-    x[..rhs.len()].iter().map(|x| -x).collect()
+    let (minus_x, _) = factor.eliminate(rhs.to_vec());
+    let (minus_x, zeros) = minus_x.split_at(rhs.len());
+    assert!(zeros.iter().all(|&zero| zero == 0.0));
+    minus_x.iter().map(|x| -x).collect()
 }
 
 /// An existing row is removed, any other is added.
