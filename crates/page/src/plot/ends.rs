@@ -10,9 +10,11 @@ use plotters::prelude::*;
 use super::axis::Axis;
 use super::canvas::{Anchor, Canvas, Frame, escape, fine, stroke};
 use super::legend::Drawn;
-use super::line::{Lines, Look, Panel, Series};
+use super::line::Lines;
 use super::marker::marker_places;
+use super::panel::Panel;
 use super::place::{Map, Place, Wanted, steps};
+use super::series::{Look, Series};
 use super::style::{self, INK, TEXT, width};
 
 /// The height of a line of text, and the length of the line to a label, in px.

@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use super::canvas::{Anchor, Canvas, escape};
 use super::ends;
 use super::legend::{Drawn, SAMPLE};
-use super::line::{Lines, MARGIN, Panel};
+use super::line::{Lines, MARGIN};
+use super::panel::Panel;
 use super::style::{self, INK, TEXT, width};
 
 /// The height of a line of text, the space between two labels, and the space between a sample of a

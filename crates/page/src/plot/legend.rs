@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use plotters::prelude::*;
 
 use super::canvas::{Anchor, Canvas, dashes, escape, fine, stroke};
-use super::line::{Lines, Look, MARGIN, ROW};
+use super::line::{Lines, MARGIN, ROW};
 use super::marker::{draw_markers, draw_rings, draw_zeros};
+use super::series::Look;
 use super::style::{self, FAINT_INK, INK, Marker, Style, TEXT, THEORY, width};
 
 /// The legend's text for the mark of a zero, which a logarithmic axis cannot show.

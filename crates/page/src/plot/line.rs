@@ -11,12 +11,13 @@ use super::ends;
 use super::key::Key;
 use super::legend::{self, Drawn, Legend};
 use super::marker::{draw_rings, draw_zeros, marker_places};
+use super::panel::Panel;
 use super::points::{self, Placed};
+use super::series::{Look, Series};
 use super::simplify::simplified;
 use super::style::{self, FAINT_INK, GRID, INK, TEXT, width};
 use crate::csv;
 use crate::figure::Figure;
-use crate::number::{count, readable};
 
 /// The space right of the plots in px.
 pub(super) const MARGIN: f64 = 12.0;
@@ -26,9 +27,6 @@ const TICK: f64 = 90.0;
 
 /// The distance from one panel to the next in px.
 const BETWEEN: f64 = 44.0;
-
-/// Curves coincide where they differ by at most this part of the axis: the width of the band.
-const COINCIDES: f64 = 0.015;
 
 /// The lengths of ticks without labels in px: where the linear part of an axis ends, and others.
 const LONG: f64 = 12.0;
@@ -99,129 +97,6 @@ impl Lines {
                  beyond; the short ticks are 1, 2 and 5 times powers of ten.";
         }
         self
-    }
-}
-
-/// One plot of a stack.
-#[derive(Debug, Clone)]
-pub struct Panel {
-    /// The vertical axis.
-    pub y: Axis,
-    /// The curves; a name looks the same in every panel.
-    pub series: Vec<Series>,
-}
-
-impl Panel {
-    /// The same, with one label `law and 3 engines` at the curve with this name and at those that
-    /// coincide with it, which have labels of the kind `noun` (in the plural).
-    ///
-    /// ```
-    /// use lcplab_page::plot::{Axis, Panel, Series};
-    ///
-    /// let line = || vec![(0.0, 0.0), (1.0, 2.0)];
-    /// let names = ["Bullet", "Drake"].map(|name| Series::measured(name, line()).labeled(name));
-    /// let series = [vec![Series::theory("law", line()).labeled("law")], names.to_vec()].concat();
-    /// let panel = Panel { y: Axis::linear("speed", "m/s"), series };
-    /// let panel = panel.with_one_label("law", "engines");
-    /// assert_eq!(panel.series[0].end.as_deref(), Some("law and 2 engines"));
-    /// ```
-    pub fn with_one_label(mut self, law: &str, noun: &str) -> Self {
-        let scale = self.y.scale;
-        let height = |(_, y): &(f64, f64)| scale.position(*y);
-        let all = self.series.iter().flat_map(|own| own.points.iter().filter_map(height));
-        let (lo, hi) =
-            all.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), at| (lo.min(at), hi.max(at)));
-        let Some(own) = self.series.iter().find(|own| own.name == law) else { return self };
-        let points = own.points.clone();
-        let coincides = |own: &Series| {
-            let pairs = own.points.iter().zip(&points).map(|(a, b)| (height(a), height(b)));
-            own.look == Look::Measured
-                && own.points.len() == points.len()
-                && pairs.into_iter().all(|(a, b)| {
-                    a.zip(b).is_some_and(|(a, b)| (a - b).abs() <= COINCIDES * (hi - lo))
-                })
-        };
-        let mut count = 0;
-        for series in self.series.iter_mut().filter(|own| coincides(own)) {
-            series.end = Some(String::new());
-            count += 1;
-        }
-        let noun = if count == 1 { noun.trim_end_matches('s') } else { noun };
-        if let Some(own) = self.series.iter_mut().find(|own| own.name == law && count > 0) {
-            own.end = Some(format!("{law} and {count} {noun}"));
-        }
-        self
-    }
-}
-
-/// A named curve.
-#[derive(Debug, Clone)]
-pub struct Series {
-    /// The name in the legend; it determines the color ([`style::style`]).
-    pub name: String,
-    /// The points in drawing order. A point that an axis cannot show (not finite, or not positive
-    /// on a logarithmic axis) breaks the line.
-    pub points: Vec<(f64, f64)>,
-    /// The kind of the curve.
-    pub look: Look,
-    /// The label at the end of the curve; without one, the legend has its name.
-    pub end: Option<String>,
-}
-
-/// The kind of a curve, which determines how it is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Look {
-    /// Measured or computed data: colored, with markers. They determine the ranges of the axes.
-    Measured,
-    /// Measured points that do not form a line: one marker each. They determine the ranges, too.
-    Points,
-    /// The prediction of a formula: a pale band behind the data, clipped at the frame.
-    Theory,
-    /// A known value or limit: a thin dark line, clipped at the frame.
-    Reference,
-}
-
-impl Series {
-    /// A measured curve.
-    pub fn measured(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Series { name: name.into(), points, look: Look::Measured, end: None }
-    }
-
-    /// Measured points that are not joined.
-    pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Series { name: name.into(), points, look: Look::Points, end: None }
-    }
-
-    /// A predicted curve. One with the name `theory, NAME`, or `theory, NAME: …`, belongs to the
-    /// curve NAME: a page shows and hides them together.
-    pub fn theory(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Series { name: name.into(), points, look: Look::Theory, end: None }
-    }
-
-    /// A known value or limit.
-    pub fn reference(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Series { name: name.into(), points, look: Look::Reference, end: None }
-    }
-
-    /// A place on a curve, such as its minimum: a ring in its color, with an entry in the legend.
-    pub fn spot(curve: &str, what: &str, point: (f64, f64)) -> Self {
-        Series::reference(format!("theory, {curve}: {what}"), vec![point])
-    }
-
-    /// Whether it is one known point.
-    pub(super) fn is_spot(&self) -> bool {
-        self.look == Look::Reference && self.points.len() == 1
-    }
-
-    /// The largest magnitude of the curve; 0 without points.
-    pub fn size(&self) -> f64 {
-        let sizes = self.points.iter().map(|(_, y)| y.abs()).filter(|size| size.is_finite());
-        sizes.fold(0.0, f64::max)
-    }
-
-    /// The same, with a label at its end in place of an entry in the legend.
-    pub fn labeled(self, end: impl Into<String>) -> Self {
-        Series { end: Some(end.into()), ..self }
     }
 }
 
@@ -339,21 +214,6 @@ impl Figure for Lines {
     }
 }
 
-impl Look {
-    /// Whether it is measured data.
-    pub(super) fn is_measured(self) -> bool {
-        matches!(self, Look::Measured | Look::Points)
-    }
-
-    fn word(self) -> &'static str {
-        match self {
-            Look::Measured | Look::Points => "measured",
-            Look::Theory => "theory",
-            Look::Reference => "reference",
-        }
-    }
-}
-
 impl Lines {
     /// The names of all curves.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
@@ -365,7 +225,7 @@ impl Lines {
         let mut text = String::new();
         for panel in &self.panels {
             text += &format!("{} against {}: ", panel.y.heading(), self.x.heading());
-            let curves: Vec<_> = panel.series.iter().map(describe).collect();
+            let curves: Vec<_> = panel.series.iter().map(Series::description).collect();
             text += &format!("{}. ", curves.join("; "));
         }
         text.trim().into()
@@ -492,29 +352,6 @@ fn range<'a>(
         scale.range(points.filter_map(|point| scale.position(coordinate(point))))
     };
     positions(Look::is_measured).or_else(|| positions(|_| true)).unwrap_or((0.0, 1.0))
-}
-
-fn describe(series: &Series) -> String {
-    let finite = |point: &&(f64, f64)| point.0.is_finite() && point.1.is_finite();
-    let (first, last) =
-        (series.points.iter().find(finite), series.points.iter().rev().find(finite));
-    let name = format!("{} ({}", series.name, series.look.word());
-    let points = series.points.len();
-    match (first, last) {
-        (Some(first), Some(last)) if points > 1 && first.0 == last.0 => {
-            format!("{name}) is a vertical line at {}", readable(first.0, 2))
-        }
-        (Some(first), Some(_)) if points == 1 => {
-            format!("{name}, 1 point) is {}", readable(first.1, 2))
-        }
-        (Some(first), Some(last)) => format!(
-            "{name}, {} points) goes from {} to {}",
-            count(points),
-            readable(first.1, 2),
-            readable(last.1, 2)
-        ),
-        _ => format!("{} has no points", series.name),
-    }
 }
 
 fn draw_grid(canvas: &mut Canvas, frame: &Frame, columns: &[Tick], rows: &[Tick], labels: bool) {

@@ -70,7 +70,7 @@ fn curves_that_coincide_with_a_law_have_one_label_with_it() {
         let curves =
             ends.iter().map(|(name, end)| Series::measured(*name, line(*end)).labeled(*name));
         let series = std::iter::once(law).chain(curves).collect();
-        Panel { y: Axis::linear("y", ""), series }.with_one_label("law", "engines")
+        Panel { y: Axis::linear("y", ""), series }.with_one_label("law", "engine")
     };
     let shown = |ends: &[(&'static str, f64)]| -> Vec<String> {
         let labels = panel(ends).series.into_iter().filter_map(|own| own.end);
