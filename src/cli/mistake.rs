@@ -2,7 +2,7 @@
 
 use lcplab::diagnosis::{Conclusion, Mistake, MistakeKind, MistakeSearch, Precision};
 use lcplab::lcp::file::number;
-use lcplab::number::{count, counted, readable};
+use lcplab::number::{capitalized, count, counted, readable};
 use serde_json::{Value, json};
 
 /// Scaled residuals below this are compared with those of single precision.
@@ -113,16 +113,7 @@ fn checks(mistakes: &[Mistake]) -> String {
             kinds.push(mistake.kind);
         }
     }
-    kinds.iter().map(|kind| format!("{}: {}\n", sentence(kind.name()), kind.check())).collect()
-}
-
-/// A phrase with a capital letter at its beginning, unless it begins with a symbol.
-fn sentence(phrase: &str) -> String {
-    if phrase.starts_with("x ") {
-        return phrase.into();
-    }
-    let mut letters = phrase.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    kinds.iter().map(|kind| format!("{}: {}\n", capitalized(kind.name()), kind.check())).collect()
 }
 
 /// The number of sweeps that were compared.

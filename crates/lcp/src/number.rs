@@ -167,6 +167,23 @@ pub fn counted(number: usize, noun: &str) -> String {
     }
 }
 
+/// The text with a capital first letter, unless it begins with a symbol, such as x.
+///
+/// ```
+/// use lcplab_lcp::number::capitalized;
+///
+/// assert_eq!(capitalized("a sweep"), "A sweep");
+/// assert_eq!(capitalized("x is not finite"), "x is not finite");
+/// ```
+pub fn capitalized(text: &str) -> String {
+    let is_symbol = text.chars().nth(1).is_none_or(|second| !second.is_alphabetic());
+    if is_symbol && !text.starts_with("a ") {
+        return text.into();
+    }
+    let mut letters = text.chars();
+    letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect()
+}
+
 /// A decimal number with a comma between groups of three digits before the point.
 fn grouped(decimal: &str) -> String {
     let whole = decimal.find('.').unwrap_or(decimal.len());

@@ -29,6 +29,8 @@ use crate::trace::Convergence;
 pub struct Measure {
     /// Its name in files.
     pub name: &'static str,
+    /// Its name in titles and at axes.
+    pub words: &'static str,
     /// Its unit; empty if there is none.
     pub unit: &'static str,
     /// Its description.
@@ -36,7 +38,13 @@ pub struct Measure {
 }
 
 const fn measure(name: &'static str, unit: &'static str, about: &'static str) -> Measure {
-    Measure { name, unit, about }
+    Measure { name, words: name, unit, about }
+}
+
+impl Measure {
+    const fn called(self, words: &'static str) -> Self {
+        Measure { words, ..self }
+    }
 }
 
 /// The number of sweeps or pivots, which closed forms predict.
@@ -52,20 +60,24 @@ pub const MEASURES: [Measure; 16] = [
     measure("claimed", "", "LCPs that the solver reports as solved"),
     measure("accepted", "", "answers that the judge accepts"),
     measure("rejected", "", "false claims, rejected by the judge"),
-    measure("work", "", "multiplications, leading-order count; only for families"),
+    measure("work", "", "multiplications, leading-order count; only for families")
+        .called("multiplications"),
     measure(
         "rate",
         "",
         "contraction of the natural residual per iteration, over the second half of the run before rounding",
-    ),
+    )
+    .called("error factor per iteration"),
     measure(
         "eigenvalue",
         "",
         "the largest modulus below 1 of an eigenvalue of the iteration matrix, on the rows inside their bounds",
     ),
-    measure("scaled_residual", "", "the worst scaled residual of all answers"),
+    measure("scaled_residual", "", "the worst scaled residual of all answers")
+        .called("scaled residual"),
     measure("error", "", "max |x − x*| / max |x*|, if x* is known"),
-    measure("energy_change", "J", "the largest deviation of the energy from its initial value"),
+    measure("energy_change", "J", "the largest deviation of the energy from its initial value")
+        .called("energy change"),
     measure("drift", "m", "the largest error of a joint"),
     measure("penetration", "m", "the deepest overlap"),
     measure("optimum", "", "the value at which the closed form has its smallest rate"),
@@ -77,7 +89,8 @@ pub static SECONDS: Measure = measure(
     "seconds",
     "s",
     "the wall time of stepping and solving, on a shared machine; in a report the least of up to five runs",
-);
+)
+.called("time");
 
 /// The result at a point; the same for any number of threads and for machines of one kind.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

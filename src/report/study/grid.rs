@@ -5,16 +5,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Study;
+use super::{Study, clock};
 use crate::error::{Error, Result};
 use crate::report::grid::{self, Finding, Grid, measure};
 use crate::report::view::attempt::anchor;
 use crate::solver::Registry;
-
-/// The number of runs of a timed point,
-const RUNS: usize = 5;
-/// if the first one takes less than this (s).
-const SHORT: f64 = 0.5;
 
 /// A grid file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -113,9 +108,13 @@ impl Study for Plan {
     fn run(&self, task: usize, solvers: &Registry) -> Result<(PointResult, Option<Seconds>)> {
         let task = &self.plan.tasks[task];
         let (finding, mut seconds) = measure::run(task, &self.grid, solvers)?;
-        // Pauses of the machine only add: the least time of several runs.
-        for _ in 1..if self.timed && seconds < SHORT { RUNS } else { 1 } {
-            seconds = seconds.min(measure::run(task, &self.grid, solvers)?.1);
+        if self.timed {
+            clock::repeat(seconds, || {
+                let again = measure::run(task, &self.grid, solvers);
+                let again = again.map_or(f64::INFINITY, |(_, seconds)| seconds);
+                seconds = seconds.min(again);
+                again
+            });
         }
         let seconds = Some(seconds).filter(|_| finding.status == "solved");
         let times = self.timed.then_some(Seconds { task: task.task, seconds });

@@ -5,6 +5,7 @@
 
 pub mod animation;
 pub mod cards;
+mod clock;
 pub mod comparison;
 pub mod convergence;
 pub mod cross_check;

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::{Outcome, ReportPage, View};
 use crate::animation::Animation;
 use crate::body::{Body, State};
-use crate::number::{count, counted, readable};
+use crate::number::{capitalized, count, counted, readable};
 use crate::page::DrawnAnimation;
 use crate::report::page::{Block, Cell, Page, Player, Table, Tile, markup};
 use crate::report::recording::Record;
@@ -80,21 +80,19 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     document.page
 }
 
-/// What was run, and the measures of its motion.
+/// The measures of the motion, and what was run.
 fn lead(record: &Record) -> String {
     let totals = record.totals();
     let value = |wanted: &str| {
         let value = totals.iter().find(|(name, _)| *name == wanted).map_or("", |(_, value)| value);
         value.split([';', '\n']).next().unwrap_or_default().to_string()
     };
-    let measures = ["energy", "drift", "penetration"].map(|name| (name, value(name)));
-    let measured = measures.iter().filter(|(_, value)| !value.starts_with("at most 0 m"));
-    let measured: Vec<String> = measured.map(|(name, value)| format!("{name} {value}")).collect();
+    let measured = ["energy", "drift", "penetration"].map(|name| format!("{name} {}", value(name)));
     format!(
-        "**Steps: {}; scheme {}:** {}.",
+        "**{}.** {} steps, scheme {}.",
+        markup::literal(&capitalized(&measured.join("; "))),
         markup::literal(&value("steps")),
-        markup::literal(&value("scheme")),
-        markup::literal(&measured.join("; "))
+        markup::literal(&value("scheme"))
     )
 }
 

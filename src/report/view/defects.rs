@@ -16,11 +16,11 @@ impl View for Plan {
     }
 
     fn headline(&self, findings: &[Record]) -> Headline {
-        Headline::of(findings.first().map(|record| {
-            let says = says(record);
-            let (answer, rest) = says.split_once(", ").unwrap_or((&says, ""));
-            format!("**Receipts detect known defects: {answer}**, {rest}.")
-        }))
+        Headline::of(
+            findings
+                .first()
+                .map(|record| format!("**Receipts detect known defects**: {}.", says(record))),
+        )
     }
 
     fn outcome(&self, findings: &[Record]) -> Outcome {

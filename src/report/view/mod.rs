@@ -103,12 +103,6 @@ impl Outcome {
     }
 }
 
-/// A text with a capital first letter.
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
 /// The page of a report's results.
 ///
 /// # Errors

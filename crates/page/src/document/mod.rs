@@ -19,6 +19,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::page::Picture;
 use lcplab_lcp::error::Result;
+use lcplab_lcp::number::capitalized;
 use notation::{latex, plain};
 
 /// The largest number of rows and columns of a matrix, and of rows of a table, that are written.
@@ -193,7 +194,7 @@ impl Document {
     /// Adds a section; `place` precedes its title and those of its tables, to keep titles unique.
     pub fn add(&mut self, place: &str, mut section: Section) {
         let titled = |title: &str| match place {
-            "" => capitalised(title),
+            "" => capitalized(title),
             place => format!("{place}: {title}"),
         };
         section.title = titled(&section.title);
@@ -204,17 +205,6 @@ impl Document {
         }
         self.sections.push(section);
     }
-}
-
-/// The words with a capital first letter, unless they begin with a symbol, such as x.
-fn capitalised(words: &str) -> String {
-    if words.chars().nth(1).is_none_or(|second| !second.is_alphabetic()) && !words.starts_with("a ")
-    {
-        return words.into();
-    }
-    let mut letters = words.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
-    first + letters.as_str()
 }
 
 impl Formula {

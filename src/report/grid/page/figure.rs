@@ -1,7 +1,7 @@
 //! A measure of a grid across its first axis.
 
 use super::curves::{Curve, Curves};
-use crate::number::readable;
+use crate::number::{capitalized, readable};
 use crate::plot::{Axis, Lines, Scale, Series};
 use crate::report::grid::file::{Grid, REPEAT};
 use crate::report::grid::measure::{ITERATIONS, Measure};
@@ -33,9 +33,9 @@ pub(super) fn figure(
     let (x, y) = (Spread::of(all.iter().map(|(x, _)| *x)), Spread::of(all.iter().map(|(_, y)| *y)));
     y.most.is_finite().then_some(())?;
     let finding = finding(curves, measure, &series)
-        .unwrap_or_else(|| format!("{} against {}", words_of(measure), curves.across));
-    let mut words = vec![format!("{}.", sentence(measure.about))];
-    let label = words_of(measure);
+        .unwrap_or_else(|| format!("{} against {}", measure.words, curves.across));
+    let mut words = vec![format!("{}.", capitalized(measure.about))];
+    let label = measure.words;
     let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
     let bands = match *measure == ITERATIONS {
         true => "if all error decayed at ρ",
@@ -87,7 +87,7 @@ pub(super) fn figure(
         axis(x.is_wide(), &curves.across, curves.unit()),
         match (y_wide, grid.scale) {
             (false, None) => Axis::fitting(label, measure.unit, all.iter().map(|(_, y)| y.abs())),
-            _ => axis(y_wide, &label, measure.unit),
+            _ => axis(y_wide, label, measure.unit),
         },
         series,
     );
@@ -125,7 +125,7 @@ fn least(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<St
     let across = &curves.across;
     let what = match *measure == ITERATIONS {
         true => "fewest iterations".into(),
-        false => format!("smallest {}", words_of(measure)),
+        false => format!("smallest {}", measure.words),
     };
     let rises = places.is_sorted_by(|a, b| a.0 <= b.0);
     let falls = places.is_sorted_by(|a, b| a.0 >= b.0);
@@ -155,7 +155,7 @@ fn last_and_first(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> 
     let mut ratios: Vec<_> = series.iter().filter_map(ratio).collect();
     ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
     let [(least, _, lowest), .., (most, (from, to), highest)] = &ratios[..] else { return None };
-    let (what, across) = (words_of(measure), &curves.across);
+    let (what, across) = (measure.words, &curves.across);
     let growth = if *from > 0.0 { to / from } else { 0.0 };
     // "twice the bodies give", or "from sweeps = 0 to 50,".
     let (give, leave) = match growth >= 2.0 {
@@ -177,7 +177,7 @@ fn last_and_first(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> 
             "2" => "twice".into(),
             least => format!("{least} times"),
         };
-        format!("{give} {} with {highest}, {least} with {lowest}", times(*most, &what))
+        format!("{give} {} with {highest}, {least} with {lowest}", times(*most, what))
     })
 }
 
@@ -196,28 +196,12 @@ fn largest(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<
     let ((x, y), own) = finite.max_by(|((_, a), _), ((_, b), _)| a.abs().total_cmp(&b.abs()))?;
     Some(format!(
         "the largest {} is {} ({}, {} {})",
-        words_of(measure),
+        measure.words,
         format!("{} {}", readable(*y, 2), measure.unit).trim(),
         own.name,
         curves.across,
         readable(*x, 3)
     ))
-}
-
-/// A measure in words.
-fn words_of(measure: &Measure) -> String {
-    match measure.name {
-        "rate" => "error factor per iteration".into(),
-        "work" => "multiplications".into(),
-        "seconds" => "time".into(),
-        name => name.replace('_', " "),
-    }
-}
-
-/// A text with a capital first letter.
-fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect()
 }
 
 /// The spread of values.

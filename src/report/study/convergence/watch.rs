@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::methods::MethodProgress;
 use crate::formulation::Problem;
 use crate::lcp::{Lcp, merit};
+use crate::report::study::clock;
 use crate::report::study::trial::Outcome;
 use crate::solver::{Entry, Group, Iterate, Observer, Options, Start, theory};
 use crate::trace::Work;
@@ -66,25 +67,17 @@ impl Posed {
 /// A solver's marks, and its time (s) and scaled residual at each.
 pub(super) type Run = (MethodProgress, (String, Vec<(f64, f64)>));
 
-/// The number of runs whose least times count: pauses of the machine and the first access to memory
-/// only add.
-const RUNS: usize = 5;
-/// Runs that have taken longer in total are not repeated (s).
-const ENOUGH: f64 = 1.0;
-
 /// Solves the problem from 0, several times: each mark has its least time.
 pub(super) fn timed(entry: &Entry, posed: &Posed, options: &Options) -> Run {
     let (progress, (solver, mut times)) = run(entry, posed, options);
-    let mut total = times.last().map_or(0.0, |(seconds, _)| *seconds);
-    for _ in 1..RUNS {
-        if total > ENOUGH {
-            break;
-        }
+    let end = |times: &[(f64, f64)]| times.last().map_or(0.0, |(seconds, _)| *seconds);
+    clock::repeat(end(&times), || {
         let (_, (_, again)) = run(entry, posed, options);
-        total += again.last().map_or(0.0, |(seconds, _)| *seconds);
+        let seconds = end(&again);
         // A solver is deterministic: the marks are the same.
         times.iter_mut().zip(again).for_each(|(own, other)| own.0 = own.0.min(other.0));
-    }
+        seconds
+    });
     (progress, (solver, times))
 }
 

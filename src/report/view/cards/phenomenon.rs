@@ -1,11 +1,11 @@
 //! A phenomenon: its law, the curves of all engines, and the numbers.
 
 use super::{ACCURATE, DEFAULTS, OWN, times};
-use crate::number::readable;
+use crate::number::{capitalized, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Mark, Table};
 use crate::report::study::cards::{Column, Measured, Phenomenon, Record, SolverPart};
-use crate::report::view::{ReportPage, capital};
+use crate::report::view::ReportPage;
 
 /// The beginning of the reason of a run without constraint rows.
 pub const NO_ROWS: &str = "no rows";
@@ -47,9 +47,9 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
         Panel { y, series }.with_one_label("law", noun)
     };
     let panels = [
-        panel("As installed", "engines", &|own| own.settings == DEFAULTS),
-        panel("Accurate", "engines", &|own| own.settings == ACCURATE),
-        panel("lcplab", "schemes", &|own| own.engine == OWN),
+        panel("As installed", "engine", &|own| own.settings == DEFAULTS),
+        panel("Accurate", "engine", &|own| own.settings == ACCURATE),
+        panel("lcplab", "scheme", &|own| own.engine == OWN),
     ];
     Lines {
         id: format!("cards_{}", phenomenon.name),
@@ -76,7 +76,7 @@ fn title(record: &Record, phenomenon: &Phenomenon) -> String {
     let worst = worst.map_or(String::new(), |(own, miss)| {
         format!("; the error of {} is {} the tolerance", record.title(&own.engine), times(miss))
     });
-    let quantity = capital(&phenomenon.y.name);
+    let quantity = capitalized(&phenomenon.y.name);
     format!("{quantity}: {held} of {} engines obey the law as installed{worst}", measured.len())
 }
 

@@ -1,11 +1,10 @@
 //! What a comparison measured, in sentences.
 
-use crate::number::readable;
+use crate::number::{capitalized, readable};
 use crate::report::study::comparison::{
     Comparison, EXACT, Energy, FRICTION_ANGLE, HELD, LAW_TOLERANCE, LevelRefinement, Levels, Phase,
     Run, RunLaws, Sample, best,
 };
-use crate::report::view::capital;
 use crate::scene::Scheme;
 
 /// Significant digits.
@@ -220,7 +219,7 @@ fn phase_in_words(levels: &Levels, phase: Phase) -> Option<String> {
             }
             places => places.join(" and "),
         };
-        format!("{}, {subject} {words}.", capital(&place))
+        format!("{}, {subject} {words}.", capitalized(&place))
     };
     let sentences: Vec<String> = said.into_iter().map(sentence).collect();
     (!sentences.is_empty()).then(|| sentences.join(" "))

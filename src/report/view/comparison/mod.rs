@@ -1,10 +1,9 @@
 //! All solvers at both levels, scene by scene.
 
 mod answer;
+mod timings;
 
 pub use answer::answer;
-
-use std::collections::BTreeSet;
 
 use super::attempt::{listed, stem};
 use super::{Headline, Outcome, ReportPage, View};
@@ -110,7 +109,7 @@ impl View for Plan {
     }
 
     fn show_times(&self, times: &[Vec<Timing>], document: &mut ReportPage) {
-        document.table("timings", timings(&times.concat()));
+        document.table("timings", timings::table(&times.concat()));
     }
 }
 
@@ -278,54 +277,6 @@ fn cells(run: &Run, steps: usize) -> Vec<Cell> {
         Cell::number(run.worst(|sample| sample.penetration), 2),
         run.carried.map_or(Cell::text("–"), |part| Cell::number((1e4 * part).round() / 100.0, 4)),
     ]
-}
-
-/// The wall time of a step in each run.
-/// The times; with a single run of each scene and scheme a row is a scheme and a column a scene.
-fn timings(times: &[Timing]) -> Table {
-    let per_step = |timing: &Timing| 1e3 * timing.seconds / timing.steps.max(1) as f64;
-    let about = "Mean over a whole simulation: contacts, assembly, solves and motion, without the judge. Several \
-                 simulations ran at the same time.";
-    let unique = |key: fn(&Timing) -> &str| {
-        let mut names: Vec<&str> = times.iter().map(key).collect();
-        let mut seen = BTreeSet::new();
-        names.retain(|name| seen.insert(*name));
-        names
-    };
-    let (scenes, schemes) = (unique(|own| &own.scene), unique(|own| &own.scheme));
-    if scenes.len() > 1 && scenes.len() * schemes.len() == times.len() {
-        let cell = |scheme: &str, scene: &str| {
-            let time = times.iter().find(|own| own.scheme == scheme && own.scene == scene);
-            time.map_or(Cell::text("–"), |time| Cell::number(per_step(time), 3))
-        };
-        let row = |scheme: &&str| {
-            let cells = scenes.iter().map(|scene| cell(scheme, scene));
-            std::iter::once(Cell::text(*scheme)).chain(cells).collect()
-        };
-        let heads = std::iter::once("level".to_string())
-            .chain(scenes.iter().map(|scene| format!("#{scene} (ms)")));
-        return Table::new(
-            "Wall time of a step",
-            about,
-            &heads.collect::<Vec<_>>().join(" | "),
-            schemes.iter().map(row).collect(),
-        );
-    }
-    let row = |timing: &Timing| {
-        vec![
-            Cell::text(&timing.scene),
-            Cell::text(&timing.scheme),
-            Cell::text(&timing.solver),
-            Cell::count(timing.steps),
-            Cell::number(per_step(timing), 3),
-        ]
-    };
-    Table::new(
-        "Wall time of a step",
-        about,
-        "scene | level | solver | #steps | #time per step (ms)",
-        times.iter().map(row).collect(),
-    )
 }
 
 /// A separate page for one scene: the animation, the table, and the motion by solver and level.

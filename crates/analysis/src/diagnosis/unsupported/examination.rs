@@ -1,7 +1,7 @@
 //! The examination of a scene or a sequence of problems: symptoms, causes and remedies.
 
 use lcplab_page::document::{Document, Section};
-use lcplab_page::number::readable;
+use lcplab_page::number::{capitalized, readable};
 use serde_json::{Value, json};
 
 use super::cause::Moving;
@@ -125,12 +125,6 @@ pub struct Examination {
     pub ruled_out: Vec<String>,
     /// The effect of remedies over the whole run, the best first.
     pub remedy_effects: Vec<RemedyEffect>,
-}
-
-/// The text with a capital letter at the beginning.
-fn capitalized(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// The largest number of problems that a sentence names.

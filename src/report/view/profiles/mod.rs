@@ -1,5 +1,7 @@
 //! Problem families × solvers, and performance profiles.
 
+mod failures;
+
 use std::collections::BTreeMap;
 
 use super::attempt::{listed, tolerance};
@@ -14,9 +16,6 @@ use crate::report::study::profiles::{
 };
 use crate::report::study::trial::{self, Attempt};
 use crate::solver::{Dantzig, Entry, Group, Registry};
-
-/// A failure: solver, tolerance, reason; with the families where it happened.
-type Failures = Vec<((String, usize, String), Vec<String>)>;
 
 impl View for Plan {
     const TITLE: &'static str = "All solvers on all families";
@@ -54,7 +53,7 @@ impl View for Plan {
                 matrix(tried, &solvers, k, *tolerance),
             );
         }
-        document.table("profiles_failures", self.failures(tried));
+        document.table("profiles_failures", failures::table(tried, &self.tolerances));
     }
 
     fn show_times(&self, times: &[Seconds], document: &mut ReportPage) {
@@ -272,26 +271,6 @@ impl Plan {
             rows,
         )
     }
-
-    fn failures(&self, tried: &[FamilyAttempts]) -> Table {
-        let row = |((solver, k, reason), families): ((String, usize, String), Vec<String>)| {
-            let value = self.tolerances[k];
-            vec![
-                Cell::text(solver),
-                Cell { value: Some(value), ..Cell::text(tolerance(value)) },
-                Cell::text(reason),
-                Cell::count(families.len()),
-                Cell::text(families.join(", ")),
-            ]
-        };
-        Table::new(
-            "Failures, with their reasons",
-            "Each attempt without an accepted claim, by solver and reason. Families in brackets \
-             have no solution, so failing is correct there.",
-            "solver | #precision | reason | #families | which",
-            gathered(tried).into_iter().map(row).collect(),
-        )
-    }
 }
 
 /// The solvers, in the order of the attempts.
@@ -409,35 +388,6 @@ fn semidefinite(tried: &[FamilyAttempts], solver: &str, tolerance: usize) -> (us
         .map(|attempt| attempt.outcome.is_solved())
         .collect();
     (solved.iter().filter(|solved| **solved).count(), solved.len())
-}
-
-/// The attempts without an accepted claim, grouped by solver, tolerance and reason.
-fn gathered(tried: &[FamilyAttempts]) -> Failures {
-    let mut failures: Failures = Vec::new();
-    for family in tried {
-        for problem in &family.problems {
-            for (k, attempts) in problem.attempts.iter().enumerate() {
-                let failed = |attempt: &&Attempt| {
-                    attempt.outcome.is_attempt() && !attempt.outcome.is_solved()
-                };
-                for attempt in attempts.iter().filter(failed) {
-                    let reason = attempt.outcome.words().to_string();
-                    let key = (attempt.solver.clone(), k, reason);
-                    let name = match problem.impossible {
-                        true => format!("({})", family.family),
-                        false => family.family.clone(),
-                    };
-                    match failures.iter_mut().find(|(found, _)| *found == key) {
-                        Some((_, families)) if families.contains(&name) => {}
-                        Some((_, families)) => families.push(name),
-                        None => failures.push((key, vec![name])),
-                    }
-                }
-            }
-        }
-    }
-    failures.sort_by(|(a, _), (b, _)| a.cmp(b));
-    failures
 }
 
 /// One row per family, one column per solver, at one tolerance.
