@@ -14,9 +14,7 @@
 //!
 //! ```
 //! use lcplab_analysis::profiles::Cost::{Failed, NotTried, Solved};
-//! use lcplab_analysis::profiles::{
-//!     FamilyAttempts, ProblemAttempts, costs, iterations, multiplications, of_all,
-//! };
+//! use lcplab_analysis::profiles::{FamilyAttempts, ProblemAttempts, costs, of_all};
 //! use lcplab_analysis::trial::{Attempt, Outcome};
 //!
 //! // Two solvers on one problem of 3 rows: a sweep method that solves it, and another one that is
@@ -27,13 +25,10 @@
 //!     iterations: 7,
 //!     work: 84.0,
 //! };
-//! let one = attempt("a", Outcome::Proved);
-//! assert_eq!((multiplications(3, &one), iterations(3, &one)), (84.0, 7.0));
 //! let attempts = vec![attempt("a", Outcome::Proved), attempt("b", Outcome::Outside("…".into()))];
 //! let problem = ProblemAttempts { rows: 3, impossible: false, attempts: vec![attempts] };
 //! let tried = [FamilyAttempts { family: "mine".into(), problems: vec![problem] }];
-//! assert_eq!(costs(&tried, 0, multiplications), [[Solved(84.0), NotTried]]);
-//! assert_eq!(costs(&tried, 0, iterations), [[Solved(7.0), NotTried]]);
+//! assert_eq!(costs(&tried, 0), [[Solved(84.0), NotTried]]);
 //! // A problem that was not tried counts as failed, if the solver tried any.
 //! let costs = [vec![Solved(1.0), NotTried], vec![Solved(1.0), Solved(2.0)]];
 //! assert_eq!(of_all(&costs)[0], [Solved(1.0), Failed]);
@@ -124,18 +119,14 @@ pub fn profiles(costs: &[Vec<Cost>]) -> Vec<Profile> {
     (0..solvers).map(profile).collect()
 }
 
-/// The costs of the problems that have a solution, at the tolerance with this index, computed by
-/// `measure` from the rows and an attempt. If it is NaN, as for uncounted multiplications, the
-/// solver counts as not having attempted it.
-pub fn costs(
-    tried: &[FamilyAttempts],
-    tolerance: usize,
-    measure: fn(usize, &Attempt) -> f64,
-) -> Vec<Vec<Cost>> {
+/// The multiplications, at least one per row, for the problems that have a solution, at the
+/// tolerance with this index. A solver whose multiplications are not counted (NaN) counts as not
+/// having attempted a problem.
+pub fn costs(tried: &[FamilyAttempts], tolerance: usize) -> Vec<Vec<Cost>> {
     let solvable = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
     let cost = |rows: usize, attempt: &Attempt| match &attempt.outcome {
-        _ if measure(rows, attempt).is_nan() => Cost::NotTried,
-        outcome if outcome.is_solved() => Cost::Solved(measure(rows, attempt)),
+        _ if attempt.work.is_nan() => Cost::NotTried,
+        outcome if outcome.is_solved() => Cost::Solved(attempt.work.max(rows as f64)),
         outcome if outcome.is_attempt() => Cost::Failed,
         _ => Cost::NotTried,
     };
@@ -143,16 +134,6 @@ pub fn costs(
         problem.attempts[tolerance].iter().map(|attempt| cost(problem.rows, attempt)).collect()
     };
     solvable.map(costs).collect()
-}
-
-/// Multiplications, at least one per row.
-pub fn multiplications(rows: usize, attempt: &Attempt) -> f64 {
-    attempt.work.max(rows as f64) + 0.0 * attempt.work
-}
-
-/// Sweeps, steps or pivots, at least one.
-pub fn iterations(_rows: usize, attempt: &Attempt) -> f64 {
-    attempt.iterations.max(1) as f64
 }
 
 /// The same costs with problems that a solver did not attempt counted as failed: the share then

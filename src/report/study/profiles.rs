@@ -1,7 +1,5 @@
 //! Problem families × solvers at several tolerances.
 
-use std::collections::BTreeMap;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -19,8 +17,7 @@ use crate::memory::Memory;
 use crate::report::methods;
 use crate::solver::{Entry, Method, Options, Registry, Settings};
 pub use lcplab_analysis::profiles::{
-    Cost, FamilyAttempts, ProblemAttempts, Profile, costs, iterations, multiplications, of_all,
-    profiles,
+    Cost, FamilyAttempts, ProblemAttempts, Profile, costs, of_all, profiles,
 };
 use lcplab_analysis::trial::{Attempt, Trial};
 
@@ -61,31 +58,17 @@ fn limit() -> usize {
     20_000
 }
 
-/// Wall times (s) of a family's solves.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Seconds {
-    /// The family.
-    pub family: String,
-    /// By tolerance, then by solver: the sum over the problems that have a solution, `None` if it
-    /// did not solve all of them. Solvers that do not support one of the problems are omitted.
-    pub seconds: Vec<BTreeMap<String, Option<f64>>>,
-}
-
 impl Study for Plan {
     const NAME: &'static str = "profiles";
     type Finding = FamilyAttempts;
-    type Times = Seconds;
-
-    fn alone(&self, _task: usize) -> bool {
-        true
-    }
+    type Times = ();
 
     fn tasks(&self) -> Vec<String> {
         let steps = self.scenes.iter().map(|at| Source::Scene(at.clone()).name());
         self.families().into_iter().chain(steps).collect()
     }
 
-    fn run(&self, task: usize, solvers: &Registry) -> Result<(FamilyAttempts, Seconds)> {
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(FamilyAttempts, ())> {
         let entries = methods::entries(&self.solvers, solvers)?;
         let families = self.families();
         let (family, problems) = match families.get(task) {
@@ -95,46 +78,19 @@ impl Study for Plan {
                 (source.name(), vec![(source.lcp()?, false)])
             }
         };
-        let (mut posed, mut clocks) = (Vec::new(), Vec::new());
-        for (lcp, impossible) in problems {
+        let posed = |(lcp, impossible): (Lcp, bool)| {
             let at = |tolerance: &f64| self.attempts(&entries, &lcp, *tolerance);
-            let (attempts, clock) = self.tolerances.iter().map(at).unzip();
-            posed.push(ProblemAttempts { rows: lcp.len(), impossible, attempts });
-            clocks.push(clock);
-        }
-        let seconds = (0..self.tolerances.len()).map(|k| seconds(&posed, &clocks, k)).collect();
-        Ok((
-            FamilyAttempts { family: family.clone(), problems: posed },
-            Seconds { family, seconds },
-        ))
+            let attempts = self.tolerances.iter().map(at).collect();
+            ProblemAttempts { rows: lcp.len(), impossible, attempts }
+        };
+        let problems = problems.into_iter().map(posed).collect();
+        Ok((FamilyAttempts { family, problems }, ()))
     }
-}
-
-/// The times of a family for each solver, at the tolerance with this index; `clocks` has the times
-/// (s) by problem, tolerance and solver.
-pub fn seconds(
-    posed: &[ProblemAttempts],
-    clocks: &[Vec<Vec<f64>>],
-    tolerance: usize,
-) -> BTreeMap<String, Option<f64>> {
-    let mut sums: BTreeMap<String, Option<f64>> = BTreeMap::new();
-    let mut outside = Vec::new();
-    for (posed, clock) in posed.iter().zip(clocks).filter(|(posed, _)| !posed.impossible) {
-        for (attempt, seconds) in posed.attempts[tolerance].iter().zip(&clock[tolerance]) {
-            if !attempt.outcome.is_attempt() {
-                outside.push(attempt.solver.clone());
-            }
-            let sum = sums.entry(attempt.solver.clone()).or_insert(Some(0.0));
-            *sum = sum.filter(|_| attempt.outcome.is_solved()).map(|sum| sum + seconds);
-        }
-    }
-    sums.retain(|solver, _| !outside.contains(solver));
-    sums
 }
 
 impl Plan {
-    /// The attempts of the solvers at a problem, and their wall times (s).
-    fn attempts(&self, entries: &[Entry], lcp: &Lcp, tolerance: f64) -> (Vec<Attempt>, Vec<f64>) {
+    /// The attempts of the solvers at a problem.
+    fn attempts(&self, entries: &[Entry], lcp: &Lcp, tolerance: f64) -> Vec<Attempt> {
         let max_iterations = self.max_iterations;
         let settings =
             Settings::default().with_tolerance(tolerance).with_max_iterations(max_iterations);
@@ -142,9 +98,9 @@ impl Plan {
         let problem = ProblemForm::Boxed(lcp.clone());
         let attempt = |entry: &Entry| {
             let trial = Trial::run(&Method::Boxed(entry.clone()), &problem, &options, &mut ());
-            (trial.attempt(&entry.name, lcp, tolerance), trial.seconds)
+            trial.attempt(&entry.name, lcp, tolerance)
         };
-        entries.iter().map(attempt).unzip()
+        entries.iter().map(attempt).collect()
     }
 
     fn families(&self) -> Vec<String> {

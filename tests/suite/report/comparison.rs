@@ -56,6 +56,42 @@ fn a_fault_of_energy_is_explained_only_by_what_was_measured() {
 }
 
 #[test]
+fn the_matrix_of_schemes_has_each_error_in_multiples_of_its_tolerance() {
+    let schemes = vec![Scheme::Velocity, Scheme::SplitImpulse, Scheme::Soft];
+    let plan = Plan { solvers: Vec::new(), schemes, scenes: Vec::new() };
+    let mut comparison = compared(&["dantzig"]);
+    let run = comparison.runs[0].clone();
+    let named = |scheme: &str| Run { scheme: scheme.into(), ..run.clone() };
+    comparison.runs = ["velocity", "split-impulse", "soft"].map(named).to_vec();
+    // One hundredth of the thinnest body is allowed; three are as far as the joint drifts.
+    comparison.runs[1].motion[2].drift = 0.03 * comparison.thinnest;
+    (comparison.runs[1].laws.energy_error, comparison.runs[1].laws.energy_tolerance) = (-5.0, 2.0);
+    comparison.runs[2].steps = 2;
+    let headline = plan.headline(std::slice::from_ref(&comparison));
+    let csv = headline.figure.unwrap().csv();
+    let rows: Vec<&str> = csv.lines().skip(1).collect();
+    let expected = [
+        "velocity,gaps and joints,mass ratio3,0",
+        "velocity,energy,mass ratio3,0",
+        "split-impulse,gaps and joints,mass ratio3,3",
+        "split-impulse,energy,mass ratio3,2.5",
+        "soft,gaps and joints,mass ratio3,inf",
+        "soft,energy,mass ratio3,inf",
+    ];
+    assert_eq!(rows, expected);
+    let answer = headline.answer.unwrap();
+    assert!(
+        answer.contains("too large under *split-impulse* in `mass_ratio3`; *soft* in"),
+        "{answer}"
+    );
+    // Who begins with larger errors is not judged: to correct them changes the energy.
+    for run in &mut comparison.runs {
+        run.motion[0].penetration = 0.02 * comparison.thinnest;
+    }
+    assert!(plan.headline(&[comparison]).figure.is_none());
+}
+
+#[test]
 fn a_run_that_ended_early_is_measured_for_its_steps_alone() {
     let some = said(|run| run.steps = 2);
     assert!(some.contains("(ended early: 1); in 2 steps: average support force"), "{some}");

@@ -6,8 +6,8 @@ use lcplab::report::study::Study;
 use lcplab::report::study::convergence::methods::Mark;
 use lcplab::report::study::convergence::{Finding, Plan};
 use lcplab::report::study::posed::{Loaded, STEP_SPEED, Source};
-use lcplab::report::study::profiles::{self, Cost, costs, multiplications, of_all, profiles};
-use lcplab::report::study::trial::{Attempt, Outcome};
+use lcplab::report::study::profiles::{self, Cost, costs, of_all, profiles};
+use lcplab::report::study::trial::Attempt;
 use lcplab::report::view;
 use lcplab::solver::{self, Options, Registry, Start};
 use lcplab::trace::Work;
@@ -116,33 +116,6 @@ fn a_profile_is_the_one_worked_out_by_hand() {
     assert_eq!(profiles(&of_all(&[vec![Solved(1.0), NotTried]]))[1].attempted, 0);
 }
 
-/// p1 has a solution and p2 has none; a solves p1, b fails, c says that p1 is not for it.
-#[test]
-fn the_clock_of_a_family_counts_what_has_a_solution_and_was_solved() {
-    let attempt = |solver: &str, outcome| Attempt {
-        solver: solver.into(),
-        outcome,
-        iterations: 1,
-        work: 1.0,
-    };
-    let attempts = |own: [Outcome; 3]| {
-        vec!["a", "b", "c"].into_iter().zip(own).map(|(name, own)| attempt(name, own)).collect()
-    };
-    let (failed, outside) = (Outcome::Failed("f".into()), Outcome::Outside("o".into()));
-    let posed = [
-        (false, [Outcome::Accepted, failed.clone(), outside]),
-        (true, [failed.clone(), failed.clone(), failed]),
-    ]
-    .map(|(impossible, own)| profiles::ProblemAttempts {
-        rows: 1,
-        impossible,
-        attempts: vec![attempts(own)],
-    });
-    let clocks = [vec![vec![0.25, 0.5, 0.125]], vec![vec![4.0, 4.0, 4.0]]];
-    let seconds = profiles::seconds(&posed, &clocks, 0);
-    assert_eq!(seconds, [("a".to_string(), Some(0.25)), ("b".to_string(), None)].into());
-}
-
 #[test]
 fn problems_without_solution_are_in_the_tables_and_not_in_the_profiles() {
     let plan: profiles::Plan = settings("families = [\"wedged\", \"deudeu\"]");
@@ -150,7 +123,7 @@ fn problems_without_solution_are_in_the_tables_and_not_in_the_profiles() {
         (0..2).map(|task| plan.run(task, Registry::standard()).unwrap().0).collect();
     assert!(tried[0].problems[0].impossible && !tried[1].problems[0].impossible);
     for (k, _) in plan.tolerances.iter().enumerate() {
-        assert_eq!(costs(&tried, k, multiplications).len(), 1);
+        assert_eq!(costs(&tried, k).len(), 1);
         let claimed = |attempt: &Attempt| attempt.outcome.is_claim();
         assert!(!tried[0].problems[0].attempts[k].iter().any(claimed));
     }
@@ -217,17 +190,14 @@ fn marks_go_forward_and_end_below_the_tolerance() {
         "[methods]\nproblems = [{ family = \"stack\", values = { n = 8 } }]\n\
          solvers = [\"pgs\", \"nncg\", \"interior-point\", \"dantzig\"]",
     );
-    let (Finding::Methods(progress), Some(clock)) = plan.run(0, Registry::standard()).unwrap()
-    else {
-        panic!("the progress of methods, with its times")
+    let (Finding::Methods(progress), ()) = plan.run(0, Registry::standard()).unwrap() else {
+        panic!("the progress of methods")
     };
-    for (method, (name, times)) in progress.methods.iter().zip(&clock.methods) {
-        assert_eq!(&method.solver, name);
-        assert_eq!(method.marks.len(), times.len());
+    for method in &progress.methods {
         let forward = |a: &Mark, b: &Mark| a.iteration < b.iteration && a.work < b.work;
         assert!(method.marks.windows(2).all(|pair| forward(&pair[0], &pair[1])));
-        assert!(times.windows(2).all(|pair| pair[0].0 <= pair[1].0));
-        assert!(method.marks.last().unwrap().residual <= progress.tolerance, "{name}");
+        let end = method.marks.last().unwrap();
+        assert!(end.residual <= progress.tolerance, "{}", method.solver);
     }
     assert_eq!(progress.methods[3].marks.len(), 1, "of pivoting methods the end alone");
 }

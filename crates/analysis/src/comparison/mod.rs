@@ -18,6 +18,8 @@
 //! assert_eq!((dantzig.solver.as_str(), dantzig.steps), ("dantzig", 3));
 //! assert!(dantzig.is_candidate() && dantzig.laws.keeps_energy());
 //! assert_eq!(dantzig.failing_criterion(3, comparison.thinnest), None);
+//! assert_eq!(comparison.best_run(Scheme::Velocity), Some(dantzig));
+//! assert!(comparison.starts_within_tolerance());
 //! assert_eq!(dantzig.failing_criterion(4, comparison.thinnest), Some("ended early"));
 //! assert!((dantzig.energy_at_end() + 0.5).abs() < 1e-9); // ½ m v² of the middle ball, in J
 //! assert!((dantzig.energy_change() + 0.5).abs() < 1e-9);
@@ -245,6 +247,18 @@ pub fn compare_families(
 }
 
 impl Comparison {
+    /// The best run of a scheme.
+    pub fn best_run(&self, scheme: Scheme) -> Option<&Run> {
+        let mut of_scheme = self.runs.chunk_by(|a, b| a.scheme == b.scheme);
+        of_scheme.find(|runs| runs[0].scheme == scheme.name()).and_then(best)
+    }
+
+    /// Whether drift and penetration are within [`HELD`] of the thinnest body at the start.
+    pub fn starts_within_tolerance(&self) -> bool {
+        let first = self.runs.iter().find_map(|run| run.motion.first());
+        first.is_some_and(|start| start.drift.max(start.penetration) <= HELD * self.thinnest)
+    }
+
     /// Compares the levels with each other and with a divided step, each with its [`best`] solver;
     /// not where one of them ended early.
     pub fn add_levels(&mut self, scene: &Scene, methods: &[Method], stop: &Stop) {

@@ -211,6 +211,8 @@ struct Writer {
     plays: bool,
     proofs: bool,
     tables: usize,
+    /// Whether a part was collapsed: the first one says what is not printed.
+    folds: bool,
     /// The live pages, each once.
     lives: Vec<Live>,
 }
@@ -225,9 +227,14 @@ impl Writer {
             open.into_iter().map(|(i, block)| self.block(&place(i), block)).collect();
         if !folded.is_empty() {
             let what = contents(folded.iter().map(|(_, block)| *block));
+            let on_paper = match std::mem::replace(&mut self.folds, true) {
+                true => "",
+                false => {
+                    "<span class=\"paper-only\">What is collapsed on the screen is not printed.</span>"
+                }
+            };
             shown.push(format!(
-                "<details class=\"part\"><summary><span>Show {what}</span><span class=\"paper-only\">Not \
-                 printed: {what}.</span></summary>\n"
+                "<details class=\"part\"><summary><span>Show {what}</span>{on_paper}</summary>\n"
             ));
             shown.extend(folded.into_iter().map(|(i, block)| self.block(&place(i), block)));
             shown.push("</details>\n".into());

@@ -9,9 +9,9 @@ use crate::csv;
 use crate::figure::Figure;
 use crate::number::readable;
 
-/// The height of a row, of the space for the names of columns, and of the key in px.
+/// The height of a row, of the name of a group, and of the key in px.
 const ROW: f64 = 21.0;
-const HEAD: f64 = 128.0;
+const GROUP: f64 = 32.0;
 const KEY: f64 = 34.0;
 const TOP: f64 = 40.0;
 /// The gaps between groups of columns side by side, and one below the other, in px.
@@ -100,7 +100,7 @@ impl Figure for Grades {
         };
         let left = self.left();
         let keys = key(left.min(wide / 4.0), wide);
-        let block = HEAD + ROW * self.rows.len() as f64;
+        let block = self.head() + ROW * self.rows.len() as f64;
         let blocks_height =
             block * blocks.len() as f64 + BETWEEN * blocks.len().saturating_sub(1) as f64;
         let key_height = keys.last().map_or(0.0, |(_, y)| *y) + KEY;
@@ -162,19 +162,25 @@ impl Grades {
         style::EDGE + names + 10.0
     }
 
+    /// The height of the names above the cells in px; those of columns are turned.
+    fn head(&self) -> f64 {
+        let names = self.groups.iter().flat_map(|(_, names)| names);
+        GROUP + names.map(|name| style::width(name, TEXT)).fold(0.0, f64::max)
+    }
+
     /// Draws some groups side by side, from this height (px) on.
     fn draw_groups(&self, canvas: &mut Canvas, groups: Range<usize>, wide: f64, top: f64) {
         let before: usize = self.groups[..groups.start].iter().map(|(_, own)| own.len()).sum();
         let columns: usize = self.groups[groups.clone()].iter().map(|(_, own)| own.len()).sum();
         let gaps = GAP * groups.len().saturating_sub(1) as f64;
-        let left = self.left();
+        let (left, head) = (self.left(), self.head());
         let width = (wide - style::EDGE - left - gaps) / columns.max(1) as f64;
         let mut places = Vec::new();
         let mut x = left;
         for (group, names) in &self.groups[groups] {
             canvas.text((x, top + 12.0), Anchor::Start, TEXT, INK, group);
             for name in names {
-                let (base, foot) = (x + width / 2.0 + 4.5, top + HEAD - 7.0);
+                let (base, foot) = (x + width / 2.0 + 4.5, top + head - 7.0);
                 canvas.raw(&format!("<g transform=\"rotate(-90 {base:.1} {foot:.1})\">"));
                 canvas.text((base, foot), Anchor::Start, TEXT, FAINT_INK, name);
                 canvas.raw("</g>\n");
@@ -184,7 +190,7 @@ impl Grades {
             x += GAP;
         }
         for (k, (name, cells)) in self.rows.iter().enumerate() {
-            let y = top + HEAD + ROW * k as f64;
+            let y = top + head + ROW * k as f64;
             canvas.text((left - 8.0, y + 15.0), Anchor::End, TEXT, INK, name);
             for (grade, x) in cells[before..].iter().zip(&places) {
                 draw_cell(canvas, *grade, (*x, y), width);

@@ -63,25 +63,6 @@ fn a_spot_is_a_ring_in_the_color_of_its_curve_and_bands_have_the_key_that_they_s
 }
 
 #[test]
-fn curves_that_coincide_with_a_law_have_one_label_with_it() {
-    let line = |end: f64| vec![(0.0, 0.0), (1.0, end)];
-    let panel = |ends: &[(&'static str, f64)]| {
-        let law = Series::theory("law", line(1.0)).labeled("law");
-        let curves =
-            ends.iter().map(|(name, end)| Series::measured(*name, line(*end)).labeled(*name));
-        let series = std::iter::once(law).chain(curves).collect();
-        Panel { y: Axis::linear("y", ""), series }.with_one_label("law", "engine")
-    };
-    let shown = |ends: &[(&'static str, f64)]| -> Vec<String> {
-        let labels = panel(ends).series.into_iter().filter_map(|own| own.end);
-        labels.filter(|label| !label.is_empty()).collect()
-    };
-    assert_eq!(shown(&[("a", 1.0), ("b", 1.001), ("c", 3.0)]), ["law and 2 engines", "c"]);
-    assert_eq!(shown(&[("a", 1.0), ("c", 3.0)]), ["law and 1 engine", "c"]);
-    assert_eq!(shown(&[("a", 2.0), ("c", 3.0)]), ["law", "a", "c"]);
-}
-
-#[test]
 fn a_symmetric_axis_has_ticks_within_its_decades_and_long_ones_where_it_ceases_to_be_linear() {
     let ticks = |scale: Scale| {
         let points = vec![(0.0, -30.0), (1.0, 300.0)];

@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::report::methods;
 use crate::report::study::posed::Source;
 use crate::report::study::trial::Outcome;
-use crate::solver::{Entry, Options, Registry, Settings};
+use crate::solver::{Options, Registry, Settings};
 
 /// The problems and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -88,30 +88,12 @@ impl MethodProgress {
 /// The number of sweeps that engines typically take.
 pub const BUDGET: usize = 10;
 
-/// The time at each mark.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Clock {
-    /// The problem.
-    pub problem: String,
-    /// For each solver: its name, and (s, scaled residual) at each mark.
-    pub methods: Vec<(String, Vec<(f64, f64)>)>,
-}
-
 impl Methods {
-    /// Runs the methods on a problem, several times for the clock.
+    /// Runs the methods on a problem.
     ///
     /// # Errors
     /// If the problem or the solver does not exist.
-    pub(crate) fn run(&self, problem: &Source, solvers: &Registry) -> Result<(Progress, Clock)> {
-        self.run_by(watch::timed, problem, solvers)
-    }
-
-    fn run_by(
-        &self,
-        run: fn(&Entry, &Posed, &Options) -> watch::Run,
-        problem: &Source,
-        solvers: &Registry,
-    ) -> Result<(Progress, Clock)> {
+    pub(crate) fn run(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
         let posed = match problem {
             Source::Stack(stack) => {
                 let problem = stack.problem()?;
@@ -124,16 +106,14 @@ impl Methods {
             .with_max_iterations(self.max_iterations);
         let options = Options::default().with_settings(settings).with_omega(self.omega);
         let runs = methods::entries(&self.solvers, solvers)?;
-        let (methods, clock) = runs.iter().map(|entry| run(entry, &posed, &options)).unzip();
-        let progress = Progress {
+        Ok(Progress {
             problem: problem.name(),
             rows: posed.lcp.len(),
             stored: posed.lcp.matrix().stored(),
             omega: self.omega,
             tolerance: self.tolerance,
-            methods,
-        };
-        Ok((progress, Clock { problem: problem.name(), methods: clock }))
+            methods: runs.iter().map(|entry| watch::run(entry, &posed, &options)).collect(),
+        })
     }
 
     /// The costs of the methods on a problem: the marks after ten sweeps and at the end.
@@ -141,16 +121,10 @@ impl Methods {
     /// # Errors
     /// If the problem or the solver does not exist.
     pub(crate) fn choose(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
-        let mut progress = self.run_by(watch::run, problem, solvers)?.0;
+        let mut progress = self.run(problem, solvers)?;
         for method in &mut progress.methods {
-            let end = method.marks.len().saturating_sub(1);
-            let kept =
-                |(k, mark): (usize, Mark)| (k == end || mark.iteration == BUDGET).then_some(mark);
-            method.marks = std::mem::take(&mut method.marks)
-                .into_iter()
-                .enumerate()
-                .filter_map(kept)
-                .collect();
+            let end = method.marks.last().map_or(0, |mark| mark.iteration);
+            method.marks.retain(|mark| mark.iteration == BUDGET || mark.iteration == end);
         }
         Ok(progress)
     }

@@ -14,7 +14,7 @@ use super::Study;
 use super::posed::Source;
 use crate::error::Result;
 use crate::solver::Registry;
-use methods::{Clock, Methods, Progress};
+use methods::{Methods, Progress};
 use rows::{RowResiduals, Rows, Sweep};
 use sweeps::{Rates, SweepCase};
 
@@ -75,11 +75,7 @@ impl Plan {
 impl Study for Plan {
     const NAME: &'static str = "convergence";
     type Finding = Finding;
-    type Times = Option<Clock>;
-
-    fn alone(&self, task: usize) -> bool {
-        matches!(self.list()[task], Task::Methods(..))
-    }
+    type Times = ();
 
     fn tasks(&self) -> Vec<String> {
         let name = |task: Task<'_>| match task {
@@ -90,17 +86,13 @@ impl Study for Plan {
         self.list().into_iter().map(name).collect()
     }
 
-    fn run(&self, task: usize, solvers: &Registry) -> Result<(Finding, Option<Clock>)> {
-        match self.list()[task] {
-            Task::Sweeps(swept) => Ok((Finding::Sweeps(swept.run()?), None)),
-            Task::Methods(methods, problem) => {
-                let (progress, clock) = methods.run(problem, solvers)?;
-                Ok((Finding::Methods(progress), Some(clock)))
-            }
-            Task::Choice(methods, problem) => {
-                Ok((Finding::Choice(methods.choose(problem, solvers)?), None))
-            }
-            Task::Rows(rows, sweep) => Ok((Finding::Rows(rows.run(sweep)?), None)),
-        }
+    fn run(&self, task: usize, solvers: &Registry) -> Result<(Finding, ())> {
+        let finding = match self.list()[task] {
+            Task::Sweeps(swept) => Finding::Sweeps(swept.run()?),
+            Task::Methods(methods, problem) => Finding::Methods(methods.run(problem, solvers)?),
+            Task::Choice(methods, problem) => Finding::Choice(methods.choose(problem, solvers)?),
+            Task::Rows(rows, sweep) => Finding::Rows(rows.run(sweep)?),
+        };
+        Ok((finding, ()))
     }
 }

@@ -1,15 +1,13 @@
-//! Records the residual of a solver at selected iterations, with the clock stopped meanwhile.
+//! Records the residual of a solver at selected iterations.
 
 use std::cmp::Ordering;
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
 use super::methods::MethodProgress;
 use crate::formulation::Problem;
 use crate::lcp::{Lcp, merit};
-use crate::report::study::clock;
 use crate::report::study::trial::Outcome;
 use crate::solver::{Entry, Group, Iterate, Observer, Options, Start, theory};
 use crate::trace::Work;
@@ -64,65 +62,29 @@ impl Posed {
     }
 }
 
-/// A solver's marks, and its time (s) and scaled residual at each.
-pub(super) type Run = (MethodProgress, (String, Vec<(f64, f64)>));
-
-/// Solves the problem from 0, several times: each mark has its least time.
-pub(super) fn timed(entry: &Entry, posed: &Posed, options: &Options) -> Run {
-    let (progress, (solver, mut times)) = run(entry, posed, options);
-    let end = |times: &[(f64, f64)]| times.last().map_or(0.0, |(seconds, _)| *seconds);
-    clock::repeat(end(&times), || {
-        let (_, (_, again)) = run(entry, posed, options);
-        let seconds = end(&again);
-        // A solver is deterministic: the marks are the same.
-        times.iter_mut().zip(again).for_each(|(own, other)| own.0 = own.0.min(other.0));
-        seconds
-    });
-    (progress, (solver, times))
-}
-
 /// Solves the problem from 0.
-pub(super) fn run(entry: &Entry, posed: &Posed, options: &Options) -> Run {
+pub(super) fn run(entry: &Entry, posed: &Posed, options: &Options) -> MethodProgress {
     let lcp = &posed.lcp;
-    let mut watch = Watch {
-        posed,
-        work: Work::of(entry, lcp),
-        marks: Vec::new(),
-        seconds: Vec::new(),
-        next: 0,
-        start: Instant::now(),
-        looking: Duration::ZERO,
-        active: Vec::new(),
-    };
+    let mut watch =
+        Watch { posed, work: Work::of(entry, lcp), marks: Vec::new(), next: 0, active: Vec::new() };
     let solution = entry.build(options).solve(lcp, &Start::default(), &mut watch);
-    let seconds = watch.elapsed(Instant::now());
     let end = watch.mark(solution.iterations, &solution.x);
-    let Watch { mut marks, seconds: mut times, .. } = watch;
-    if entry.group == Group::Pivoting {
-        (marks, times) = (Vec::new(), Vec::new());
-    } else if marks.last().is_some_and(|mark| mark.iteration == end.iteration) {
-        marks.pop();
-        times.pop();
-    }
+    let mut marks = watch.marks;
+    // Of pivoting methods only the end counts.
+    marks.retain(|mark| entry.group != Group::Pivoting && mark.iteration < end.iteration);
     marks.push(end);
-    times.push(seconds);
     let outcome = Outcome::of(&solution, lcp, options.settings.tolerance);
-    let times = times.into_iter().zip(marks.iter().map(|mark| mark.residual)).collect();
-    let solver = entry.name.to_string();
     let rate = theory::rate(&entry.name, options, lcp, &theory::rows_inside(lcp, &solution.x));
-    (MethodProgress { solver: solver.clone(), outcome, marks, rate }, (solver, times))
+    MethodProgress { solver: entry.name.to_string(), outcome, marks, rate }
 }
 
-/// An observer that records selected iterates and stops the clock meanwhile.
+/// An observer that records selected iterates.
 struct Watch<'a> {
     posed: &'a Posed,
     work: Work<'a>,
     marks: Vec<Mark>,
-    seconds: Vec<f64>,
     /// The next iteration to record.
     next: usize,
-    start: Instant,
-    looking: Duration,
     /// The active set at the last mark.
     active: Vec<Ordering>,
 }
@@ -140,25 +102,16 @@ impl Watch<'_> {
             changed,
         }
     }
-
-    /// The time used by the solver so far.
-    fn elapsed(&self, now: Instant) -> f64 {
-        (now - self.start).saturating_sub(self.looking).as_secs_f64()
-    }
 }
 
 impl Observer for Watch<'_> {
     fn observe(&mut self, iterate: &Iterate<'_>) -> ControlFlow<()> {
-        let from = Instant::now();
-        let seconds = self.elapsed(from);
         let _ = self.work.observe(iterate);
         if iterate.iteration >= self.next {
             self.next = iterate.iteration + 1 + iterate.iteration / 12;
-            self.seconds.push(seconds);
             let mark = self.mark(iterate.iteration, iterate.x);
             self.marks.push(mark);
         }
-        self.looking += from.elapsed();
         ControlFlow::Continue(())
     }
 }

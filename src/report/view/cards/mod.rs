@@ -60,6 +60,10 @@ impl View for Plan {
     fn show(&self, findings: &[Record], document: &mut ReportPage) {
         for record in findings {
             document.text(answer::uses(record));
+            document.text(
+                "To rerun a phenomenon on an installed engine: `python -m lcplab.cards --engine mujoco --phenomenon \
+                 creep`. Each engine uses the time step of its settings.",
+            );
             document.fold_tables();
             for (name, id, words) in [
                 (DEFAULTS, "installed", "As installed"),

@@ -1,6 +1,6 @@
 //! A phenomenon: its law, the curves of all engines, and the numbers.
 
-use super::{ACCURATE, DEFAULTS, OWN, times};
+use super::{ACCURATE, DEFAULTS, times};
 use crate::number::{capitalized, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Mark, Table};
@@ -20,73 +20,70 @@ pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage)
     if !phenomenon.reported.is_empty() {
         document.text(&phenomenon.reported);
     }
-    document.text(format!(
-        "To rerun this phenomenon on an installed engine: `python -m lcplab.cards --engine mujoco --phenomenon \
-         {}`. Each engine uses the time step of its settings, not that of the scene.",
-        phenomenon.name
-    ));
-    document.figure(figure(record, phenomenon));
+    match figure(record, phenomenon) {
+        Some(figure) => document.figure(figure),
+        None => document.text(format!("{}.", title(record, phenomenon))),
+    }
     document.table(&format!("cards_{}", phenomenon.name), table(record, phenomenon));
     let (language, text) = ("toml".into(), phenomenon.scene.clone());
     document.add(Block::FoldedCode { language, text });
 }
 
-/// The curves, one panel per configuration.
-fn figure(record: &Record, phenomenon: &Phenomenon) -> Lines {
+/// The law and the engines that break it as installed; nothing if none does.
+fn figure(record: &Record, phenomenon: &Phenomenon) -> Option<Lines> {
     let Phenomenon { x, y, .. } = phenomenon;
     let points = |y: &[f64]| x.values.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>();
-    let panel = |title: &str, noun: &str, chosen: &dyn Fn(&Column) -> bool| {
-        let drawn = phenomenon.columns.iter().filter(|own| !own.y.is_empty() && chosen(own));
-        let measured = drawn.map(|own| {
-            Series::measured(name(record, own), points(&own.y)).labeled(name(record, own))
-        });
-        let law = Series::theory("law", points(&y.law)).labeled("law");
-        let series: Vec<Series> = std::iter::once(law).chain(measured).collect();
-        let sizes = series.iter().map(Series::size);
-        let y = Axis::fitting(format!("{title}: {}", y.name), &y.unit, sizes);
-        Panel { y, series }.with_one_label("law", noun)
-    };
-    let panels = [
-        panel("As installed", "engine", &|own| own.settings == DEFAULTS),
-        panel("Accurate", "engine", &|own| own.settings == ACCURATE),
-        panel("lcplab", "scheme", &|own| own.engine == OWN),
-    ];
-    Lines {
+    let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
+    let breaks = installed.filter(|own| !own.y.is_empty() && !own.holds());
+    let breaks = breaks.map(|own| {
+        let name = record.title(&own.engine);
+        Series::measured(name, points(&own.y)).labeled(name)
+    });
+    let law = Series::theory("law", points(&y.law)).labeled("law");
+    let series: Vec<Series> = std::iter::once(law).chain(breaks).collect();
+    let y = Axis::fitting(capitalized(&y.name), &y.unit, series.iter().map(Series::size));
+    let figure = Lines {
         id: format!("cards_{}", phenomenon.name),
         title: title(record, phenomenon),
-        caption: "The pale band is the law, not what it allows: judged are the numbers in the table. Above: engines \
-                  as installed; in the middle: with settings for accuracy; below: lcplab's schemes."
-            .into(),
+        caption:
+            "The law (pale) and the engines that break it as installed. The table has all runs."
+                .into(),
         x: match phenomenon.log {
             true => Axis::log(&x.name, &x.unit),
             false => Axis::linear(&x.name, &x.unit),
         },
-        panels: panels.into_iter().filter(|panel| panel.series.len() > 1).collect(),
-    }
-    .with_scales_explained()
+        panels: vec![Panel { y, series }],
+    };
+    Some(figure.with_scales_explained()).filter(|figure| figure.panels[0].series.len() > 1)
 }
 
-/// The finding: how many engines obey the law as installed, and the largest violation.
+/// The finding: how many engines break the law as installed, the largest violation, and how many
+/// break it with accurate settings.
 fn title(record: &Record, phenomenon: &Phenomenon) -> String {
-    let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
-    let measured: Vec<&Column> = installed.filter(|own| own.unsupported.is_none()).collect();
-    let held = measured.iter().filter(|own| own.holds()).count();
-    let missed = measured.iter().filter_map(|own| Some((own, own.worst()?.miss())));
+    let runs = |settings: &str| -> Vec<&Column> {
+        let runs = phenomenon.columns.iter().filter(|own| own.settings == settings);
+        runs.filter(|own| own.unsupported.is_none()).collect()
+    };
+    let broken = |runs: &[&Column]| {
+        let count = runs.iter().filter(|own| !own.holds()).count();
+        match count {
+            0 => "none".into(),
+            _ if count == runs.len() => format!("all {count}"),
+            _ => format!("{count} of {}", runs.len()),
+        }
+    };
+    let (installed, accurate) = (runs(DEFAULTS), runs(ACCURATE));
+    let missed = installed.iter().filter_map(|own| Some((own, own.worst()?.miss())));
     let worst = missed.filter(|(own, _)| !own.holds()).max_by(|a, b| a.1.total_cmp(&b.1));
-    let worst = worst.map_or(String::new(), |(own, miss)| {
-        format!("; the error of {} is {} the tolerance", record.title(&own.engine), times(miss))
+    let worst = worst.map_or(String::new(), |(own, miss)| match miss.is_finite() {
+        true => format!(", {} by {} the tolerance", record.title(&own.engine), times(miss)),
+        false => format!(", {} without bound", record.title(&own.engine)),
     });
-    let quantity = capitalized(&phenomenon.y.name);
-    format!("{quantity}: {held} of {} engines obey the law as installed{worst}", measured.len())
-}
-
-/// The name of a column in comparisons: a scheme of lcplab has its own name.
-fn name(record: &Record, column: &Column) -> String {
-    match column.engine.as_str() {
-        // A comma would make it a shade of another series.
-        OWN => column.settings.replace(", ", " "),
-        engine => record.title(engine).into(),
-    }
+    format!(
+        "As installed {} of the engines break this law{worst}; with accurate settings {}",
+        broken(&installed),
+        broken(&accurate)
+    )
 }
 
 fn table(record: &Record, phenomenon: &Phenomenon) -> Table {

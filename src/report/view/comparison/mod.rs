@@ -1,6 +1,7 @@
 //! All solvers at both levels, scene by scene.
 
 mod answer;
+mod matrix;
 mod timings;
 
 pub use answer::answer;
@@ -9,21 +10,15 @@ use super::attempt::{listed, stem};
 use super::{Headline, Outcome, ReportPage, View};
 use crate::animation::Animation;
 use crate::number::{count, counted, readable};
-use crate::plot::{Axis, Lines, Panel, Series};
+use crate::plot::grades::Grade;
+use crate::plot::{Axis, Figure, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
-use crate::report::study::comparison::{
-    Comparison, HELD, LeftOut, Plan, Run, Sample, Timing, best,
-};
+use crate::report::study::comparison::{Comparison, LeftOut, Plan, Run, Sample, Timing, best};
 use crate::scene::Scheme;
 
 /// The position of the column for the reason of a failure, left of the measures so that a narrow
 /// screen shows it.
 const TROUBLE: usize = 6;
-/// A motion of fewer steps is not drawn,
-const STEPS: usize = 20;
-/// and neither is one with smaller errors (m), in which only rounding would be seen.
-const ERROR: f64 = 1e-6;
-
 impl View for Plan {
     const TITLE: &'static str = "Comparison of solvers at velocity and acceleration level";
 
@@ -47,25 +42,17 @@ impl View for Plan {
         if schemes.any(|runs| runs.len() > 1) {
             document.table("comparison_schemes", by_scheme(findings));
         }
-        document.text(MEASURES);
         let words = |comparison: &Comparison| {
             let (title, teaches) = (&comparison.title, comparison.teaches.trim());
             let scene = markup::literal(&comparison.scene);
             format!("**{scene}: {}.** {}", markup::literal(title), markup::literal(teaches))
         };
-        let (drawn, others): (Vec<_>, Vec<_>) =
-            findings.iter().partition(|own| is_worth_drawing(own));
-        for comparison in drawn {
-            document.text(words(comparison));
-            document.figure(motion_figure(comparison));
-        }
-        if !others.is_empty() {
-            let scenes: Vec<String> = others.into_iter().map(words).collect();
-            document.aside("The scenes", scenes.join("\n\n"));
-        }
-        for comparison in findings {
+        let scenes: Vec<String> = findings.iter().map(words).collect();
+        document.aside("The scenes", scenes.join("\n\n"));
+        for (k, comparison) in findings.iter().enumerate() {
             let id = format!("comparison_{}", stem(&comparison.scene));
-            document.table(&id, scene_table(comparison, String::new()));
+            let how_to_read = if k == 0 { MEASURES.into() } else { String::new() };
+            document.table(&id, scene_table(comparison, how_to_read));
         }
     }
 
@@ -91,7 +78,11 @@ impl View for Plan {
             ),
         };
         let result = Some([value, label]);
-        Headline { result, is_mixed: given_up > 0, ..Headline::of(self.held(findings)) }
+        let answer = self.held(findings);
+        let figure = answer
+            .is_some()
+            .then(|| -> Box<dyn Figure> { Box::new(matrix::matrix(findings, &self.schemes)) });
+        Headline { result, figure, is_mixed: given_up > 0, ..Headline::of(answer) }
     }
 
     fn outcome(&self, findings: &[Comparison]) -> Outcome {
@@ -117,15 +108,9 @@ impl Plan {
     /// Of more schemes than the two levels: which keep gaps and joints within tolerance in every
     /// scene that starts so, and in which scenes the others do not.
     fn held(&self, findings: &[Comparison]) -> Option<String> {
-        let starts_well = |own: &&Comparison| {
-            let first = own.runs.iter().find_map(|run| run.motion.first());
-            first.is_some_and(|start| start.drift.max(start.penetration) <= HELD * own.thinnest)
-        };
-        let scenes: Vec<_> = findings.iter().filter(starts_well).collect();
+        let scenes: Vec<_> = findings.iter().filter(|own| own.starts_within_tolerance()).collect();
         let is_missed = |scheme: Scheme, own: &&&Comparison| {
-            let mut of_scheme = own.runs.chunk_by(|a, b| a.scheme == b.scheme);
-            let run = of_scheme.find(|runs| runs[0].scheme == scheme.name()).and_then(best);
-            run.is_none_or(|run| run.failing_criterion(own.steps, own.thinnest).is_some())
+            own.best_run(scheme).is_none_or(|run| matrix::closure(own, run) != Grade::Obeyed)
         };
         let missed = |scheme: &Scheme| -> Vec<String> {
             let missed = scenes.iter().filter(|own| is_missed(*scheme, own));
@@ -154,15 +139,6 @@ impl Plan {
             )
         })
     }
-}
-
-/// Whether a motion is long enough, has errors that differ from rounding, and differs between more
-/// schemes than the two levels, which the study *drift* compares.
-fn is_worth_drawing(comparison: &Comparison) -> bool {
-    let error = |run: &Run| run.worst(|sample| sample.drift.max(sample.penetration));
-    comparison.steps >= STEPS
-        && alike(&comparison.runs).len() > Scheme::LEVELS.len()
-        && comparison.runs.iter().any(|run| error(run) > ERROR)
 }
 
 /// A scheme in a sentence.

@@ -1,9 +1,9 @@
-//! The residual of several methods by iteration, by multiplication and by second.
+//! The residual of several methods by iteration and by multiplication.
 
 use crate::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series};
 use crate::report::page::{Cell, Table};
-use crate::report::study::convergence::methods::{Clock, Mark, MethodProgress, Progress};
+use crate::report::study::convergence::methods::{Mark, MethodProgress, Progress};
 use crate::report::study::trial;
 use crate::report::view::attempt::{
     anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
@@ -23,7 +23,7 @@ pub(super) fn show(problems: &[&Progress], document: &mut ReportPage) {
     document.text(
         "Iterations of different methods have different costs: a Newton step solves a linear system, a sweep \
          is one product with A. The residual is therefore plotted against the number of multiplications (the \
-         leading term of the operation count). The section *Computing times on this machine* has the times.",
+         leading term of the operation count).",
     );
     for progress in problems {
         document.figure(by_work(progress));
@@ -364,19 +364,6 @@ fn ten_sweeps(progress: &Progress, label: &str) -> Option<Series> {
     Some(Series::reference("ten sweeps", vec![(budget, LEAST), (budget, 1e3)]).labeled(label))
 }
 
-/// The finding: the solver that reaches its last residual first.
-fn clock_title(clock: &Clock) -> String {
-    let ends = clock.methods.iter().filter_map(|(solver, points)| Some((solver, points.last()?.0)));
-    match ends.min_by(|a, b| a.1.total_cmp(&b.1)) {
-        Some((solver, seconds)) => format!(
-            "{}: {solver} ends first, after {} ms",
-            clock.problem,
-            readable(1e3 * seconds, 2)
-        ),
-        None => clock.problem.clone(),
-    }
-}
-
 /// The names of the gradient methods in full, for a caption.
 fn full_names<'a>(solvers: impl Iterator<Item = &'a str>) -> String {
     let in_full = |solver: &str| match solver {
@@ -388,22 +375,6 @@ fn full_names<'a>(solvers: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<String> =
         solvers.filter_map(|solver| Some(format!("*{solver}*: {}", in_full(solver)?))).collect();
     if names.is_empty() { String::new() } else { format!(" {}.", names.join("; ")) }
-}
-
-pub(super) fn by_second(clock: &Clock) -> Lines {
-    let curves = clock.methods.iter().map(|(solver, points)| {
-        let points = points.iter().map(|(s, residual)| (1e3 * s, residual.max(LEAST)));
-        curve(solver, points.collect()).labeled(solver)
-    });
-    Lines::new(
-        format!("timings_{}", anchor(&clock.problem)),
-        clock_title(clock),
-        "The residuals of the same runs, plotted against wall time: the least of up to five runs. It includes the \
-         stopping tests, but not the recording of iterates; other processes may have run at the same time.",
-        Axis::log("time", "ms"),
-        Axis::log("scaled residual", ""),
-        curves.collect(),
-    )
 }
 
 fn table(progress: &Progress) -> Table {

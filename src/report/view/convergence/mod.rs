@@ -5,7 +5,7 @@ mod rows;
 mod sweeps;
 
 use super::{Headline, Outcome, ReportPage, View};
-use crate::report::study::convergence::methods::{Clock, Progress};
+use crate::report::study::convergence::methods::Progress;
 use crate::report::study::convergence::rows::RowResiduals;
 use crate::report::study::convergence::sweeps::Rates;
 use crate::report::study::convergence::{Finding, Plan};
@@ -42,12 +42,6 @@ impl View for Plan {
             says.push(progress.says);
         }
         Outcome { good: rates.good && progress.good, says: says.join("; ") }
-    }
-
-    fn show_times(&self, clocks: &[Option<Clock>], document: &mut ReportPage) {
-        for clock in clocks.iter().flatten() {
-            document.figure(methods::by_second(clock));
-        }
     }
 }
 

@@ -2,8 +2,6 @@
 
 mod failures;
 
-use std::collections::BTreeMap;
-
 use super::attempt::{listed, tolerance};
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::readable;
@@ -11,8 +9,7 @@ use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::profiles::{
-    Cost, FamilyAttempts, Plan, Profile, Seconds, costs, iterations, multiplications, of_all,
-    profiles,
+    Cost, FamilyAttempts, Plan, Profile, costs, of_all, profiles,
 };
 use crate::report::study::trial::{self, Attempt};
 use crate::solver::{Dantzig, Entry, Group, Registry};
@@ -39,12 +36,10 @@ impl View for Plan {
         document.text(
             "One profile uses all problems $P$ that have a solution, the other only those that the solver \
              attempted. The first one favors general solvers, the second one is fair to specialized solvers. \
-             The cost is measured in three ways: multiplications do not depend on the speed of the machine, iterations are \
-             familiar but differ in cost between methods, and times are in the section on times.",
+             The cost is counted in multiplications, which do not depend on the speed of the machine.",
         );
         document.figure(self.by_work(tried, &solvers));
         document.text(self.words(tried, &solvers));
-        document.figure(self.by_iterations(tried, &solvers));
         document.table("profiles_cost", iteration_costs());
         document.table("profiles_solvers", self.by_solver(tried, &solvers));
         for (k, tolerance) in self.tolerances.iter().enumerate() {
@@ -54,12 +49,6 @@ impl View for Plan {
             );
         }
         document.table("profiles_failures", failures::table(tried, &self.tolerances));
-    }
-
-    fn show_times(&self, times: &[Seconds], document: &mut ReportPage) {
-        if let Some(figure) = self.by_time(times) {
-            document.figure(figure);
-        }
     }
 
     fn headline(&self, tried: &[FamilyAttempts]) -> Headline {
@@ -83,7 +72,7 @@ impl Plan {
     /// The solvers that solve most problems.
     fn answer(&self, tried: &[FamilyAttempts]) -> Option<String> {
         let last = self.tolerances.len().checked_sub(1)?;
-        let (solvers, costs) = (solvers(tried), costs(tried, last, multiplications));
+        let (solvers, costs) = (solvers(tried), costs(tried, last));
         let solved = |solver: usize| costs.iter().filter(|row| is_solved(&row[solver])).count();
         let best = (0..solvers.len()).map(solved).max().filter(|best| *best > 0)?;
         let named: Vec<String> = (0..solvers.len())
@@ -121,7 +110,7 @@ impl Plan {
     fn by_work(&self, tried: &[FamilyAttempts], solvers: &[String]) -> Profiles {
         let mut columns = Vec::new();
         for (k, precision) in self.tolerances.iter().enumerate() {
-            let costs = costs(tried, k, multiplications);
+            let costs = costs(tried, k);
             let title = format!("{}, of all problems", tolerance(*precision));
             columns.push((title, profiles(&of_all(&costs))));
             if k + 1 == self.tolerances.len() {
@@ -138,43 +127,11 @@ impl Plan {
         drawn("performance_profiles", "multiplications", caption, solvers, columns)
     }
 
-    /// By iterations, at the last tolerance.
-    fn by_iterations(&self, tried: &[FamilyAttempts], solvers: &[String]) -> Profiles {
-        let costs = costs(tried, self.tolerances.len().saturating_sub(1), iterations);
-        let columns = both(&costs);
-        let caption = "The same by sweeps, steps or pivots. A pivot of Dantzig's method is cheap, a step \
-         of Newton's method solves a linear system: compare within a group.";
-        drawn("performance_profiles_iterations", "iterations", caption, solvers, columns)
-    }
-
-    /// By wall time, at the last tolerance; the best solver of a family is the one that solved all
-    /// of its problems in the least time.
-    fn by_time(&self, times: &[Seconds]) -> Option<Profiles> {
-        let of_family = |own: &Seconds| own.seconds.last().cloned().unwrap_or_default();
-        let times: Vec<_> = times.iter().map(of_family).collect();
-        let mut solvers: Vec<String> = times.iter().flat_map(|own| own.keys().cloned()).collect();
-        solvers.sort();
-        solvers.dedup();
-        let cost = |own: &BTreeMap<String, Option<f64>>, name: &String| match own.get(name) {
-            Some(Some(seconds)) => Cost::Solved(seconds.max(f64::MIN_POSITIVE)),
-            Some(None) => Cost::Failed,
-            None => Cost::NotTried,
-        };
-        let row = |own| solvers.iter().map(|name| cost(own, name)).collect();
-        let costs: Vec<Vec<Cost>> = times.iter().map(row).collect();
-        if solvers.is_empty() {
-            return None;
-        }
-        let caption =
-            "The same for wall-clock times. A family counts as solved if all of its problems are.";
-        Some(drawn("performance_profiles_time", "wall time", caption, &solvers, both(&costs)))
-    }
-
     /// The solvers that solved everything they attempted, and the cheapest ones, at the last
     /// tolerance.
     fn words(&self, tried: &[FamilyAttempts], solvers: &[String]) -> String {
         let Some(last) = self.tolerances.len().checked_sub(1) else { return String::new() };
-        let costs = costs(tried, last, multiplications);
+        let costs = costs(tried, last);
         let profiles = profiles(&costs);
         let share = |profile: &Profile| profile.steps.last().map_or(0.0, |(_, share)| *share);
         let named = || solvers.iter().zip(&profiles);
@@ -278,14 +235,6 @@ fn solvers(tried: &[FamilyAttempts]) -> Vec<String> {
     let first = tried.iter().flat_map(|family| &family.problems).next();
     let attempts = first.and_then(|problem| problem.attempts.first());
     attempts.into_iter().flatten().map(|attempt| attempt.solver.clone()).collect()
-}
-
-/// The profiles for all problems, and for those that a solver attempted.
-fn both(costs: &[Vec<Cost>]) -> Vec<(String, Vec<Profile>)> {
-    vec![
-        ("of all problems".into(), profiles(&of_all(costs))),
-        ("of attempted problems".into(), profiles(costs)),
-    ]
 }
 
 /// Profiles as a figure: one row of panels per group of solvers, one column per title.
