@@ -11,6 +11,8 @@ use lcplab::proof::{Claim, Entry, Kind, Proof, Reason, Tree, Vector};
 const SHOWN: usize = 24;
 /// Longer fractions are shown as decimals.
 const LONGEST: usize = 14;
+/// Values of w agree up to this part of the largest one.
+const AGREES: f64 = 1e-12;
 
 /// The page; `text` is the proof file.
 pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text: &str) -> Page {
@@ -77,8 +79,9 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
         Claim::NotUnique { x, y } => solutions(
             &[x, y],
             &format!(
-                "Both x and y satisfy the conditions of every row in exact arithmetic, and they differ in {}.",
-                differing(&problem.lcp, x, y)
+                "Both x and y satisfy the conditions of every row in exact arithmetic, and they differ in {}.{}",
+                differing(&problem.lcp, x, y),
+                in_w(problem, x, y)
             ),
         ),
         Claim::NoSolution { tree: Tree::Leaf(d) } => vec![
@@ -110,8 +113,26 @@ fn differing(lcp: &Lcp, x: &Vector, y: &Vector) -> String {
     let rows: Vec<String> = (0..x.len()).filter(|&i| x[i] != y[i]).map(|i| i.to_string()).collect();
     match &rows[..] {
         [row] => format!("row {row}"),
+        rows if rows.len() == x.len() => "every row".into(),
         rows if rows.len() <= SHOWN => format!("rows {}", rows.join(", ")),
         rows => format!("{} rows", rows.len()),
+    }
+}
+
+/// How two solutions compare in w, which a motion decides.
+fn in_w(problem: &Problem, x: &Vector, y: &Vector) -> &'static str {
+    let lcp = &problem.lcp;
+    let (x, y) = (values(lcp, x), values(lcp, y));
+    let both = (0..x.len()).map(|i| [&x, &y].map(|point| w(lcp, point, i).to_f64().value()));
+    let both: Vec<[f64; 2]> = both.collect();
+    let largest = both.iter().flatten().fold(0.0_f64, |largest, w| largest.max(w.abs()));
+    let agree = both.iter().all(|[at_x, at_y]| (at_x - at_y).abs() <= AGREES * largest);
+    match (agree, unit(problem)) {
+        (false, _) => "",
+        (true, None) => " w is the same in both, up to rounding.",
+        (true, Some(_)) => {
+            " w is the same in both, up to rounding: the bodies move alike, and only the loads are shared differently."
+        }
     }
 }
 
@@ -119,9 +140,10 @@ fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
     let lcp = &problem.lcp;
     let points: Vec<Vec<RBig>> = points.iter().map(|point| values(lcp, point)).collect();
     let names = ["x", "y"];
+    let unit = unit(problem).map_or(String::new(), |unit| format!(" ({unit})"));
     let mut headings = "row".to_string();
     for name in &names[..points.len()] {
-        headings += &format!(" | #{name} | #w at {name}");
+        headings += &format!(" | #{name}{unit} | #w at {name}");
     }
     let rows = (0..lcp.len()).take(SHOWN).map(|i| {
         let of = |x: &Vec<RBig>| [fraction(&x[i]), fraction(&w(lcp, x, i))].map(Cell::text);
@@ -140,8 +162,18 @@ fn vector_table(problem: &Problem, d: &[(usize, dashu_int::IBig)]) -> Table {
     Table::new("The Farkas vector; its other entries are 0", more(d.len()), "row | #d", rows)
 }
 
+/// The unit of x, if all rows have the same.
+fn unit(problem: &Problem) -> Option<&str> {
+    let rows = problem.extra.get("rows")?.as_array()?;
+    let first = rows.first()?.get("unit")?.as_str()?;
+    let is_common =
+        rows.iter().all(|row| row.get("unit").and_then(|own| own.as_str()) == Some(first));
+    is_common.then_some(first)
+}
+
 fn more(rows: usize) -> String {
-    let rounded = "Long fractions are rounded here, not in the proof.";
+    let rounded = "Long fractions are rounded here, not in the proof. Numbers such as 10⁻¹⁷ are exact: they come from \
+                   the rounded A and b of the file.";
     match rows.saturating_sub(SHOWN) {
         0 => rounded.into(),
         more => format!("{rounded} The proof file contains {more} more rows."),
@@ -183,5 +215,5 @@ fn exact(value: f64) -> RBig {
 
 fn fraction(value: &RBig) -> String {
     let text = value.to_string();
-    if text.len() > LONGEST { readable(value.to_f64().value(), 7) } else { text }
+    if text.len() > LONGEST { readable(value.to_f64().value(), 4) } else { text }
 }

@@ -3,7 +3,7 @@
 use super::{Headline, Outcome, ReportPage, View};
 use crate::document::unicode;
 use crate::number::{significant, tabular};
-use crate::plot::{Axis, Bar, Bars};
+use crate::plot::{Axis, Bar, Bars, Figure};
 use crate::report::page::markup::literal;
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::verification::{Criterion, ORDER_SLACK, Plan, Row, title};
@@ -24,7 +24,6 @@ impl View for Plan {
         if !failed.is_empty() {
             document.table("failed", self::failed(&failed));
         }
-        document.figure(dots(rows));
         document.table("by_case", by_case(rows));
         if rows.iter().any(is_approximate) {
             document.table("approximate", approximate(rows));
@@ -39,8 +38,10 @@ impl View for Plan {
         let passed = rows().filter(|row| row.passes()).count();
         let value = format!("{passed} of {}", rows().count());
         let label = "numbers agree with their closed forms".into();
+        let result = Some([value, label]);
+        let figure: Box<dyn Figure> = Box::new(dots(&findings.concat()));
         let rows: Vec<&Row> = rows().collect();
-        Headline { result: Some([value, label]), ..Headline::of(answer(&rows)) }
+        Headline { result, figure: Some(figure), ..Headline::of(answer(&rows)) }
     }
 
     fn outcome(&self, findings: &[Vec<Row>]) -> Outcome {
