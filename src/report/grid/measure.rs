@@ -45,6 +45,16 @@ impl Measure {
     const fn called(self, words: &'static str) -> Self {
         Measure { words, ..self }
     }
+
+    /// Whether it is a factor per iteration, whose ratios say little.
+    pub fn is_rate(&self) -> bool {
+        matches!(self.name, "rate" | "eigenvalue")
+    }
+
+    /// Whether a solver needs it.
+    pub fn is_cost(&self) -> bool {
+        matches!(self.name, "iterations" | "work" | "seconds")
+    }
 }
 
 /// The number of sweeps or pivots, which closed forms predict.
@@ -60,7 +70,7 @@ pub const MEASURES: [Measure; 16] = [
     measure("claimed", "", "LCPs that the solver reports as solved"),
     measure("accepted", "", "answers that the judge accepts"),
     measure("rejected", "", "false claims, rejected by the judge"),
-    measure("work", "", "multiplications, leading-order count; only for families")
+    measure("work", "", "multiplications, by the leading term of the operation count")
         .called("multiplications"),
     measure(
         "rate",
@@ -88,7 +98,7 @@ pub const MEASURES: [Measure; 16] = [
 pub static SECONDS: Measure = measure(
     "seconds",
     "s",
-    "the wall time of stepping and solving, on a shared machine; in a report the least of up to five runs",
+    "the wall time of stepping and solving, on a shared machine; the least of up to five runs",
 )
 .called("time");
 

@@ -131,7 +131,9 @@ fn bias(study: &Finding, model: Model) -> Option<String> {
         0.0 => "the correct direction".to_string(),
         degrees => format!("a direction up to {}° off", readable(degrees, 2)),
     };
-    least.is_finite().then(|| format!("{held} % of the strength and {aside} (*{}*)", short(model)))
+    least
+        .is_finite()
+        .then(|| format!("{held} % of Coulomb's limit and {aside} (*{}*)", short(model)))
 }
 
 /// A number of each model that is shown, with the model.
@@ -321,7 +323,7 @@ fn block_table(study: &Finding) -> Table {
              Coulomb's law.",
             readable(AGREES, 1)
         ),
-        "model | verdict | #strength | #expected | #off (°) | #expected (°) | #rise (m/s) | \
+        "model | verdict | #strength | #expected strength | #off (°) | #expected off (°) | #rise (m/s) | \
          #expected (m/s) | agreement | #Coulomb residual",
         slides.map(block_cells).collect(),
     )
@@ -359,8 +361,8 @@ fn rod_table(study: &Finding) -> Table {
         "Strength and angle as above, for each foot; a dash means that the foot sticks. The tangent rows of the two \
          feet along the rod are redundant, so individual impulses may not be unique; the velocities are unique. \
          *velocity error*: the largest difference of $w$ from that of Coulomb's cone.",
-        "model | solver | verdict | #x_n, foot 1 (N s) | #strength | #off (°) | \
-         #x_n, foot 2 (N s) | #strength | #off (°) | #velocity error (m/s) | #Coulomb residual",
+        "model | solver | verdict | #load of foot 1 (N s) | #strength of foot 1 | #off at foot 1 (°) | \
+         #load of foot 2 (N s) | #strength of foot 2 | #off at foot 2 (°) | #velocity error (m/s) | #Coulomb residual",
         study.rod.iter().map(|answer| rod_cells(answer, exact)).collect(),
     )
 }

@@ -18,7 +18,7 @@ impl View for Plan {
              halving of the step multiplies the error by $2^{{-p}}$, and the observed order may differ from p by \
              at most {ORDER_SLACK}. If a number does not depend on the time step, it is *exact*: it must agree at every \
              time step within the error stated in the column *allowed*. All other numbers must stay *within a \
-             bound*. The reasons for the allowed errors are below the table."
+             bound*."
         ));
         let failed: Vec<&Row> = rows.iter().filter(|row| !row.passes()).collect();
         if !failed.is_empty() {
@@ -30,7 +30,7 @@ impl View for Plan {
         }
         document.aside("The closed forms", formulas(rows));
         document.table_without_secondary("closed_forms", table(rows));
-        document.text(tolerances(rows));
+        document.aside("The reasons for the allowed errors", tolerances(rows));
     }
 
     fn headline(&self, findings: &[Vec<Row>]) -> Headline {
@@ -335,7 +335,7 @@ fn tolerances(rows: &[Row]) -> String {
     }
     let lines = lines.iter().map(|(line, cases)| format!("{line} (*{}*)", cases.join(", ")));
     let lines: Vec<String> = lines.collect();
-    format!("Reasons for the allowed errors, with the cases:\n\n{}", lines.join("\n"))
+    lines.join("\n")
 }
 
 /// If 0 is expected, digits of a smaller number are meaningless.

@@ -17,7 +17,7 @@ pub use crate::escape::xml_line as escape;
 /// The number of drawing units per px.
 const FINE: f64 = 10.0;
 /// The width of bold text relative to that of normal text.
-const BOLD: f64 = 1.1;
+const BOLD: f64 = 1.17;
 /// The height of a line of the title in px.
 const LINE: f64 = 22.0;
 

@@ -156,28 +156,31 @@ fn last_and_first(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> 
     ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
     let [(least, _, lowest), .., (most, (from, to), highest)] = &ratios[..] else { return None };
     let (what, across) = (measure.words, &curves.across);
+    if measure.is_rate() {
+        let own = series.iter().find(|own| own.name == *highest)?;
+        let mut finite = own.points.iter().filter(|(x, y)| x.is_finite() && *y > 0.0);
+        let [first, last] = [finite.next()?.1, finite.next_back()?.1].map(|rate| readable(rate, 3));
+        let moves = if *most > 1.0 { "rises" } else { "falls" };
+        return Some(format!("the {what} of {highest} {moves} from {first} to {last}"));
+    }
     let growth = if *from > 0.0 { to / from } else { 0.0 };
-    // "twice the bodies give", or "from sweeps = 0 to 50,".
-    let (give, leave) = match growth >= 2.0 {
-        true => {
-            let change = times(growth, across);
-            (format!("{change} give"), format!("{change} leave"))
-        }
-        false => {
-            let change = format!("from {across} = {} to {},", readable(*from, 3), readable(*to, 3));
-            (change.clone(), change)
-        }
+    // "with twice the bodies", "at sweeps = 50", or "from load = 1 to 1.5".
+    let change = match growth >= 2.0 {
+        true => format!("with {}", times(growth, across)),
+        false if *from == 0.0 => format!("at {across} = {}", readable(*to, 3)),
+        false => format!("from {across} = {} to {}", readable(*from, 3), readable(*to, 3)),
     };
     Some(if *most < 1.0 {
-        let [least, most] = [least, most].map(|ratio| readable(100.0 * ratio, 2));
-        format!("{leave} {least} % of the {what} with {lowest}, {most} % with {highest}")
+        let [least, most] = [least, most].map(|ratio| readable(100.0 * ratio, 3));
+        format!("{change}, {least} % of the {what} are left with {lowest}, {most} % with {highest}")
     } else {
         let least = match readable(*least, 2).as_str() {
             "1" => "the same".into(),
-            "2" => "twice".into(),
+            "2" => "twice as much".into(),
             least => format!("{least} times"),
         };
-        format!("{give} {} with {highest}, {least} with {lowest}", times(*most, what))
+        let needs = if measure.is_cost() { "needs" } else { "has" };
+        format!("{change}, {highest} {needs} {}, {lowest} {least}", times(*most, what))
     })
 }
 

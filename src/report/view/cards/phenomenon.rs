@@ -10,6 +10,9 @@ use crate::report::view::ReportPage;
 /// The beginning of the reason of a run without constraint rows.
 pub const NO_ROWS: &str = "no rows";
 
+/// A departure from the law above this part of the extent of a curve is visible.
+const VISIBLE: f64 = 0.02;
+
 /// Adds a section.
 pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage) {
     document.open(&phenomenon.name, &phenomenon.question);
@@ -34,7 +37,7 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Option<Lines> {
     let Phenomenon { x, y, .. } = phenomenon;
     let points = |y: &[f64]| x.values.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>();
     let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
-    let breaks = installed.filter(|own| !own.y.is_empty() && !own.holds());
+    let breaks = installed.filter(|own| !own.holds() && is_apart(&own.y, &y.law));
     let breaks = breaks.map(|own| {
         let name = record.title(&own.engine);
         Series::measured(name, points(&own.y)).labeled(name)
@@ -45,9 +48,7 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Option<Lines> {
     let figure = Lines {
         id: format!("cards_{}", phenomenon.name),
         title: title(record, phenomenon),
-        caption:
-            "The law (pale) and the engines that break it as installed. The table has all runs."
-                .into(),
+        caption: "The law (pale) and the engines that, as installed, visibly break it here. The table has all runs.".into(),
         x: match phenomenon.log {
             true => Axis::log(&x.name, &x.unit),
             false => Axis::linear(&x.name, &x.unit),
@@ -55,6 +56,16 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Option<Lines> {
         panels: vec![Panel { y, series }],
     };
     Some(figure.with_scales_explained()).filter(|figure| figure.panels[0].series.len() > 1)
+}
+
+/// Whether a curve departs visibly from the law.
+fn is_apart(y: &[f64], law: &[f64]) -> bool {
+    let extent = |values: &[f64]| {
+        let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        largest - values.iter().copied().fold(f64::INFINITY, f64::min)
+    };
+    let apart = y.iter().zip(law).map(|(y, law)| (y - law).abs()).fold(0.0, f64::max);
+    apart > VISIBLE * extent(law).max(extent(y))
 }
 
 /// The finding: how many engines break the law as installed, the largest violation, and how many
@@ -67,12 +78,13 @@ fn title(record: &Record, phenomenon: &Phenomenon) -> String {
     let broken = |runs: &[&Column]| {
         let count = runs.iter().filter(|own| !own.holds()).count();
         match count {
-            0 => "none".into(),
+            0 => "no".into(),
             _ if count == runs.len() => format!("all {count}"),
             _ => format!("{count} of {}", runs.len()),
         }
     };
     let (installed, accurate) = (runs(DEFAULTS), runs(ACCURATE));
+    let quantity = capitalized(&phenomenon.name.replace('_', " "));
     let missed = installed.iter().filter_map(|own| Some((own, own.worst()?.miss())));
     let worst = missed.filter(|(own, _)| !own.holds()).max_by(|a, b| a.1.total_cmp(&b.1));
     let worst = worst.map_or(String::new(), |(own, miss)| match miss.is_finite() {
@@ -80,7 +92,7 @@ fn title(record: &Record, phenomenon: &Phenomenon) -> String {
         false => format!(", {} without bound", record.title(&own.engine)),
     });
     format!(
-        "As installed {} of the engines break this law{worst}; with accurate settings {}",
+        "{quantity}: as installed {} engines break the law{worst}; with accurate settings {}",
         broken(&installed),
         broken(&accurate)
     )

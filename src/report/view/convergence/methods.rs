@@ -137,11 +137,11 @@ fn choice(choices: &[&Progress]) -> Table {
     };
     Table::new(
         "Which solver for which stack",
-        "*mass ratio*: that of the top box to each of the others. *cost*: multiplications until the residual is within the tolerance, divided by those of one sweep of *pgs*; a \
+        "*mass ratio*: that of the top box to each of the others. *cost*: the multiplications until the residual is within the tolerance, divided by those of one sweep of *pgs*; a \
          typical budget is 10. *next*: the second cheapest solver. *unsupported*: the part of the total weight that ten sweeps of *pgs* leave \
          unsupported. *solvers that fail*: those that do not reach the tolerance within the maximum number of \
          iterations. A stack is a hard case for sweeps and has redundant contacts.",
-        "stack | cheapest | #cost | next | #cost | #rows | #sweeps of pgs | #unsupported after ten sweeps | \
+        "stack | cheapest | #its cost | next | #cost of next | #rows | #sweeps of pgs | #unsupported after ten sweeps | \
          solvers that fail",
         choices.iter().map(row).collect(),
     )

@@ -22,13 +22,22 @@ impl Rows {
         document.text(Self::words(maps));
     }
 
-    /// The finding: the largest residual of each method after the last sweep.
+    /// The finding: the largest residual after the last sweep, of the method with the most and of
+    /// that with the least.
     fn title(&self, maps: &[&RowResiduals]) -> String {
-        let left = |map: &&RowResiduals| {
-            format!("{} m/s ({})", readable(largest(map), 2), map.method.name())
+        let by_left = |a: &&&RowResiduals, b: &&&RowResiduals| largest(a).total_cmp(&largest(b));
+        let left = |map: &RowResiduals| {
+            format!("{} m/s with {}", readable(largest(map), 2), map.method.name())
         };
-        let left: Vec<String> = maps.iter().map(left).collect();
-        format!("After {} sweeps the largest residual is {}", self.sweeps, left.join(", "))
+        let sweeps = self.sweeps;
+        match (maps.iter().max_by(by_left), maps.iter().min_by(by_left)) {
+            (Some(most), Some(least)) => format!(
+                "After {sweeps} sweeps the largest residual is {}, {}",
+                left(most),
+                left(least)
+            ),
+            _ => format!("Residuals in {sweeps} sweeps"),
+        }
     }
 
     fn figure(&self, id: String, maps: &[&RowResiduals]) -> Heat {

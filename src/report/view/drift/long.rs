@@ -90,13 +90,16 @@ fn step(run: &&LongRun) -> Option<String> {
 /// The finding: the energy error in the last period, by integrator.
 fn title(runs: &[&LongRun]) -> String {
     let Some(run) = runs.first() else { return String::new() };
-    let error = |(_, fine): (&Curve, &Curve)| {
-        Some(format!("{} % ({})", readable(100.0 * fine.energy.last()?, 2), words(&fine.method)))
-    };
-    let errors: Vec<String> = pairs(run).filter_map(error).collect();
+    let fine = pairs(run).map(|(_, fine)| fine);
+    let mut errors: Vec<_> =
+        fine.filter_map(|fine| Some((*fine.energy.last()?, words(&fine.method)))).collect();
+    errors.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let ends = errors.first().into_iter().chain(errors.get(1..).and_then(<[_]>::last));
+    let ends: Vec<String> =
+        ends.map(|(error, name)| format!("{} % with {name}", readable(100.0 * error, 2))).collect();
     let periods = run.scene.periods;
     let what = run.scene.title.to_lowercase();
-    format!("After {periods} periods the energy of the {what} is off by {}", errors.join(", "))
+    format!("After {periods} periods the energy of the {what} is off by {}", ends.join(", "))
 }
 
 fn panel(run: &LongRun, what: &str, unit: &str, errors: fn(&Curve) -> &Vec<f64>) -> Panel {

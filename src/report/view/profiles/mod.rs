@@ -124,7 +124,7 @@ impl Plan {
          succeeds at all; higher is better. The curves of other groups are pale. Sweeps and Newton's \
          method do not check whether A is symmetric, so they attempt problems outside their class and fail \
          on them.";
-        drawn("performance_profiles", "multiplications", caption, solvers, columns)
+        drawn(caption, solvers, columns)
     }
 
     /// The solvers that solved everything they attempted, and the cheapest ones, at the last
@@ -139,10 +139,6 @@ impl Plan {
             .filter(|(_, profile)| profile.attempted > 0 && share(profile) == 1.0)
             .map(|(solver, profile)| format!("*{solver}* ({})", profile.attempted))
             .collect();
-        let most = named().max_by_key(|(_, profile)| {
-            (share(profile) * profile.attempted as f64).round() as usize
-        });
-        let cheapest = named().max_by(|(_, a), (_, b)| at_one(a).total_cmp(&at_one(b)));
         let rejected =
             count(tried, None, None, |attempt| attempt.outcome == trial::Outcome::Rejected);
         let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
@@ -156,15 +152,6 @@ impl Plan {
                 )
             }
         };
-        if let (Some((most, profile)), Some((cheapest, best))) = (most, cheapest) {
-            let solved = (share(profile) * profile.attempted as f64).round();
-            text += &format!(
-                "*{most}* solved most problems: {solved} of the {} solvable ones that it attempted. \
-                 *{cheapest}* was most often the cheapest, on {:.0} % of its problems. ",
-                profile.attempted,
-                100.0 * at_one(best)
-            );
-        }
         let uncounted: Vec<String> = named()
             .filter(|(_, profile)| profile.attempted == 0)
             .map(|(solver, _)| format!("*{solver}*"))
@@ -175,10 +162,10 @@ impl Plan {
                 listed(&uncounted)
             );
         }
-        text + &format!(
-            "No solver solved {unsolved} of {} problems. False claims at all precisions: {rejected}.",
-            costs.len()
-        )
+        if unsolved > 0 {
+            text += &format!("No solver solved {unsolved} of {} problems. ", costs.len());
+        }
+        text + &format!("False claims at all precisions: {rejected}.")
     }
 
     fn by_solver(&self, tried: &[FamilyAttempts], solvers: &[String]) -> Table {
@@ -238,13 +225,7 @@ fn solvers(tried: &[FamilyAttempts]) -> Vec<String> {
 }
 
 /// Profiles as a figure: one row of panels per group of solvers, one column per title.
-fn drawn(
-    id: &str,
-    cost: &str,
-    caption: &str,
-    solvers: &[String],
-    columns: Vec<(String, Vec<Profile>)>,
-) -> Profiles {
+fn drawn(caption: &str, solvers: &[String], columns: Vec<(String, Vec<Profile>)>) -> Profiles {
     let is_counted = |solver: usize| columns.iter().any(|(_, own)| own[solver].attempted > 0);
     let curve = |solver: usize| Curve {
         name: solvers[solver].clone(),
@@ -263,8 +244,8 @@ fn drawn(
     };
     let groups = Group::ALL.into_iter().map(Some).chain([None]).map(group);
     Profiles {
-        id: id.into(),
-        title: finding(cost, solvers, columns.first().map_or(&[], |(_, profiles)| profiles)),
+        id: "performance_profiles".into(),
+        title: finding(solvers, columns.iter().nth_back(1).map_or(&[], |(_, profiles)| profiles)),
         caption: caption.into(),
         x: Axis::log("τ: cost relative to the cheapest solver", ""),
         y: Axis::linear("share solved", ""),
@@ -273,22 +254,22 @@ fn drawn(
     }
 }
 
-/// The finding: the solver that solves the most problems, and the one that is the cheapest most
+/// The finding: the solvers that solve the most problems, and those that are the cheapest most
 /// often.
-fn finding(cost: &str, solvers: &[String], profiles: &[Profile]) -> String {
+fn finding(solvers: &[String], of_all: &[Profile]) -> String {
     let at_end = |profile: &Profile| profile.steps.last().map_or(0.0, |(_, share)| *share);
-    let best = |share: &dyn Fn(&Profile) -> f64| {
-        let shares = solvers.iter().zip(profiles.iter().map(share));
-        let (solver, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        Some((solver.clone(), format!("{}\u{a0}%", readable(100.0 * share, 2))))
+    let best = |share: &dyn Fn(&Profile) -> f64, verbs: [&str; 2]| {
+        let most = of_all.iter().map(share).fold(0.0, f64::max);
+        let named = solvers.iter().zip(of_all).filter(|(_, own)| share(own) == most);
+        let named: Vec<String> = named.map(|(solver, _)| solver.clone()).collect();
+        format!("{} {}", listed(&named), verbs[usize::from(named.len() > 1)])
+            + &format!(" ({}\u{a0}%)", readable(100.0 * most, 2))
     };
-    match (best(&at_end), best(&at_one)) {
-        (Some((most, solved)), Some((cheapest, share))) => format!(
-            "Performance profiles: {most} solves the most problems ({solved}); by {cost}, {cheapest} is the \
-             cheapest most often ({share})"
-        ),
-        _ => format!("Performance profiles, {cost}"),
-    }
+    format!(
+        "Of all problems, {}; {}",
+        best(&at_end, ["solves the most", "solve the most"]),
+        best(&at_one, ["is the cheapest most often", "are the cheapest most often"])
+    )
 }
 
 fn is_solved(cost: &Cost) -> bool {

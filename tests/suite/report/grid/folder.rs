@@ -196,10 +196,10 @@ fn exponents_are_those_of_the_two_last_points_and_the_title_states_the_ends() {
         let (_, [_, _, page]) = collected(&grid, &Folder::new(path.path(), &grid).unwrap());
         assert!(page.contains(&format!("From the two {ends} values of ")), "{ends}");
         // The steps grow fourfold in both files.
-        let title = page.split(": 4 times the ").nth(1).unwrap_or_default();
+        let title = page.split(": with 4 times the ").nth(1).unwrap_or_default();
         let title = title.split('<').next().unwrap_or_default();
-        let says = [" give ", " times the drift with ", " with "].map(|part| title.contains(part));
-        assert_eq!(says, [true; 3], "{ends}: {title}");
+        let says = [" has ", " times the drift, "].map(|part| title.contains(part));
+        assert_eq!(says, [true; 2], "{ends}: {title}");
     }
 }
 
@@ -237,7 +237,7 @@ fn the_first_screen_states_the_finding_and_a_long_table_of_points_is_collapsed()
         run_all(&grid, path.path());
         let (_, [_, _, page]) = collected(&grid, &Folder::new(path.path(), &grid).unwrap());
         let top = page.split("<main").next().unwrap();
-        assert!(top.contains("twice the dt give") && top.contains(" the drift with "), "{steps}");
+        assert!(top.contains("with twice the dt, ") && top.contains(" the drift, "), "{steps}");
         assert!(top.contains("points of the grid measured"), "{steps}");
         let (before, _) = page.split_once("Results at each point.").unwrap();
         assert_eq!(before.contains("<details class=\"part\""), collapsed, "{steps}");
