@@ -1,15 +1,15 @@
 //! The factors of a symmetric matrix.
 
-use super::{Matrix, Vector};
+use super::{Matrix, Real, Vector};
 
 /// A = L D Lᵀ: L with ones on its diagonal and nothing above, D diagonal.
-pub fn ldlt(A: &Matrix) -> (Matrix, Vector) {
+pub fn ldlt<T: Real>(A: &Matrix<T>) -> (Matrix<T>, Vector<T>) {
     let n = A.nrows();
     let (mut L, mut D) = (Matrix::identity(n, n), Vector::zeros(n));
     for j in 0..n {
-        D[j] = A[(j, j)] - (0..j).map(|k| L[(j, k)] * D[k] * L[(j, k)]).sum::<f64>();
+        D[j] = A[(j, j)] - (0..j).map(|k| L[(j, k)] * D[k] * L[(j, k)]).sum::<T>();
         for i in j + 1..n {
-            let sum: f64 = (0..j).map(|k| L[(i, k)] * D[k] * L[(j, k)]).sum();
+            let sum: T = (0..j).map(|k| L[(i, k)] * D[k] * L[(j, k)]).sum();
             L[(i, j)] = (A[(i, j)] - sum) / D[j];
         }
     }
@@ -17,14 +17,16 @@ pub fn ldlt(A: &Matrix) -> (Matrix, Vector) {
 }
 
 /// The solution x of L D Lᵀ x = r.
-pub fn solve(L: &Matrix, D: &Vector, r: &Vector) -> Vector {
+pub fn solve<T: Real>(L: &Matrix<T>, D: &Vector<T>, r: &Vector<T>) -> Vector<T> {
     let mut x = r.clone();
     for i in 0..x.len() {
-        x[i] -= (0..i).map(|k| L[(i, k)] * x[k]).sum::<f64>(); // down: L y = r
+        let sum: T = (0..i).map(|k| L[(i, k)] * x[k]).sum(); // down: L y = r
+        x[i] -= sum;
     }
     x.component_div_assign(D);
     for i in (0..x.len()).rev() {
-        x[i] -= (i + 1..x.len()).map(|k| L[(k, i)] * x[k]).sum::<f64>(); // up: Lᵀ x = D⁻¹ y
+        let sum: T = (i + 1..x.len()).map(|k| L[(k, i)] * x[k]).sum(); // up: Lᵀ x = D⁻¹ y
+        x[i] -= sum;
     }
     x
 }

@@ -15,6 +15,9 @@
 //! | [`lemke`] | 0 ≤ x ⟂ w ≥ 0, A of many kinds | [`Lemke`](crate::Lemke) |
 //! | [`interior_point`] | 0 ≤ x ⟂ w ≥ 0, A semidefinite | [`InteriorPoint`](crate::InteriorPoint) |
 //!
+//! Gauss-Seidel, L D Lᵀ, Dantzig and the interior-point method run in single precision too; `_with`
+//! lets their linear equations have a precision of their own.
+//!
 //! ```
 //! # #![allow(non_snake_case)]
 //! use lcplab_solver::textbook::*;
@@ -35,6 +38,18 @@
 //! for x in answers {
 //!     assert!((x - Vector::from_column_slice(&[4.0 / 3.0, 7.0 / 3.0])).norm() < 1e-12);
 //! }
+//!
+//! // The same in single precision, whose unit roundoff is 2⁻²⁴, but with equations in double.
+//! let single = |v: &Vector| v.map(f32::nearest);
+//! let (A32, b32, lo32, hi32) = (A.map(f32::nearest), single(&b), single(&lo), single(&hi));
+//! let x = dantzig_with(&A32, &b32, &lo32, &hi32, |A, b, free| {
+//!     let x = point(&A.map(f32::double), &b.map(f32::double), free)?;
+//!     Some(x.map(f32::nearest))
+//! });
+//! assert_eq!(x, Some(Vector::from_column_slice(&[1.3333334, 2.3333333])));
+//! let by_lu = |A: &Matrix<f32>, r: &Vector<f32>| A.clone().lu().solve(r).expect("A is regular");
+//! let x = interior_point_with(&A32, &b32, 40, by_lu);
+//! assert!((x[0].double() - 4.0 / 3.0).abs() < 1e-6);
 //! ```
 
 #![allow(non_snake_case)]
@@ -46,14 +61,16 @@ mod jacobi;
 mod ldlt;
 mod lemke;
 mod murty;
+mod real;
 
-pub use dantzig::dantzig;
+pub use dantzig::{dantzig, dantzig_with};
 pub use gauss_seidel::gauss_seidel;
-pub use interior_point::interior_point;
+pub use interior_point::{interior_point, interior_point_with};
 pub use jacobi::jacobi;
 pub use ldlt::{ldlt, solve};
 pub use lemke::lemke;
 pub use murty::murty;
+pub use real::Real;
 
 /// The source text of a function of this module, for the lessons.
 ///
@@ -78,15 +95,17 @@ pub fn text(name: &str) -> &'static str {
 }
 
 /// A.
-pub type Matrix = nalgebra::DMatrix<f64>;
+pub type Matrix<T = f64> = nalgebra::DMatrix<T>;
 /// x, w, b.
-pub type Vector = nalgebra::DVector<f64>;
+pub type Vector<T = f64> = nalgebra::DVector<T>;
 
-/// The point of a set F of free rows: A_FF x_F = −b_F, and x = 0 elsewhere.
-fn point(A: &Matrix, b: &Vector, free: &[bool]) -> Vector {
+/// The point of a set F of free rows: A_FF x_F = −b_F, and x = 0 elsewhere; `None` if A_FF is
+/// singular.
+pub fn point<T: Real>(A: &Matrix<T>, b: &Vector<T>, free: &[bool]) -> Option<Vector<T>> {
     let n = b.len();
     let in_F = |i: usize, j: usize| free[i] && free[j];
-    let M = Matrix::from_fn(n, n, |i, j| if in_F(i, j) { A[(i, j)] } else { f64::from(i == j) });
-    let r = Vector::from_fn(n, |i, _| if free[i] { -b[i] } else { 0.0 });
-    M.lu().solve(&r).expect("A_FF is not singular")
+    let unit = |is_one: bool| if is_one { T::one() } else { T::zero() };
+    let M = Matrix::from_fn(n, n, |i, j| if in_F(i, j) { A[(i, j)] } else { unit(i == j) });
+    let r = Vector::from_fn(n, |i, _| if free[i] { -b[i] } else { T::zero() });
+    M.lu().solve(&r)
 }
