@@ -32,12 +32,12 @@
 //! The modules follow the flow of data. Physics: [`body`], [`constraint`], [`scene`], [`assembly`].
 //! Numbers: [`lcp`], [`storage`], [`solver`], [`mod@reference`], [`mod@judge`]. [`formulation`]
 //! connects the two. [`plugin`] runs solvers written in other languages, [`hunt`] tests solvers for
-//! false claims, [`simulation`] takes many steps, [`trace`], [`plot`] and [`report`] show the
-//! results, [`explain`] derives a step line by line, [`diagnosis`] explains why a step cannot be
-//! taken, [`chapter`] shows what K&M print next to the correct statements, [`lesson`] contains the
-//! lessons.
+//! false claims, [`precision`] finds what single precision loses, [`simulation`] takes many steps,
+//! [`trace`], [`plot`] and [`report`] show the results, [`explain`] derives a step line by line,
+//! [`diagnosis`] explains why a step cannot be taken, [`chapter`] shows what K&M print next to the
+//! correct statements, [`lesson`] contains the lessons.
 
-pub use lcplab_analysis::{card, diagnosis, explain, gradient, hunt};
+pub use lcplab_analysis::{card, diagnosis, explain, gradient, hunt, precision};
 pub use lcplab_files as files;
 pub use lcplab_judge as judge;
 pub use lcplab_judge::reference;

@@ -22,6 +22,7 @@ mod mistake;
 mod options;
 mod pdf;
 mod plugin;
+mod precision;
 mod problem;
 mod proof;
 mod proof_page;
@@ -85,6 +86,7 @@ enum Command {
     Solve(problem::Solve),
     Judge(judge::Judge),
     Gradient(gradient::Derivatives),
+    Precision(precision::SinglePrecision),
     Prove(proof::Prove),
     Check(proof::Check),
     Problems(library::Problems),
@@ -115,7 +117,10 @@ const GROUPS: [(&str, &[&str]); 5] = [
         "Most used",
         &["solve", "judge", "diagnose", "hunt", "test", "receipts", "simulate", "report", "lesson"],
     ),
-    ("Problems", &["compare", "explain", "gradient", "prove", "check", "problems", "convert"]),
+    (
+        "Problems",
+        &["compare", "explain", "gradient", "precision", "prove", "check", "problems", "convert"],
+    ),
     ("Scenes", &["scenes", "export"]),
     ("Learn", &["exercise", "live", "chapter", "teacher"]),
     ("Series of runs", &["grid"]),
@@ -191,6 +196,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Solve(command) => command.run(&limits),
         Command::Judge(command) => command.run(),
         Command::Gradient(command) => command.run(),
+        Command::Precision(command) => command.run(),
         Command::Prove(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Problems(command) => command.run(),

@@ -64,7 +64,7 @@ const ROWS: [(&str, &[&[&str]]); 5] = [
                 "tally",
                 "trial",
             ],
-            &["loads", "methods"],
+            &["loads", "methods", "precision"],
             &["friction"],
             &["families", "profiles", "tasks"],
             &["comparison", "receipt", "regression"],

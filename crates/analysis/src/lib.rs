@@ -3,9 +3,10 @@
 //! [`trial`] solves, judges and counts. With it, [`families`] and [`profiles`] compare the solvers
 //! on problems, `comparison` on scenes, and [`hunt`] searches for false claims. [`friction`] solves
 //! and judges one problem, [`explain`] derives an answer line by line, [`gradient`] differentiates
-//! it, [`diagnosis`] says why there is none. [`receipt`] checks the steps of physics engines. What
-//! needs scenes is behind the feature `mechanics`. [`methods`] are the solvers of the registry,
-//! with the feature `clarabel` also the reference.
+//! it, [`precision`] finds what single precision loses, [`diagnosis`] says why there is no answer.
+//! [`receipt`] checks the steps of physics engines. What needs scenes is behind the feature
+//! `mechanics`. [`methods`] are the solvers of the registry, with the feature `clarabel` also the
+//! reference.
 
 // The hidden modules are parts of the program `lcplab`, another crate. They are no promise.
 
@@ -33,6 +34,7 @@ pub mod minimum;
 pub mod motion_error;
 #[doc(hidden)]
 pub mod number;
+pub mod precision;
 pub mod profiles;
 pub mod receipt;
 #[doc(hidden)]

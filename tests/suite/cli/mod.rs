@@ -17,6 +17,7 @@ mod links;
 mod loads;
 mod mistake;
 mod plugin;
+mod precision;
 mod problem_set;
 mod proof;
 mod readme;

@@ -78,6 +78,16 @@ fn the_examples_of_the_page_on_gradients_are_those_of_a_run() {
 }
 
 #[test]
+fn the_example_of_the_page_on_single_precision_is_that_of_a_run() {
+    let page = include_str!("../../../docs/precision.md");
+    let (_, problem) = page.split_once("```json\n").unwrap();
+    let (problem, _) = problem.split_once("```").unwrap();
+    let output = run_with(problem, &["precision", "-", "--solver", "pgs"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(page.contains(&out(&output)), "{}", out(&output));
+}
+
+#[test]
 fn the_examples_of_the_page_on_commands_are_those_of_a_run() {
     let page = include_str!("../../../docs/commands.md");
     let folder = tempfile::tempdir().unwrap();

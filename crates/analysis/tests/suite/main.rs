@@ -13,6 +13,7 @@ mod loads;
 mod minimum;
 mod mistakes;
 mod outputs;
+mod precision;
 mod proofs;
 mod range;
 mod receipt;

@@ -10,7 +10,8 @@ use nalgebra::RealField;
 /// use lcplab_solver::textbook::Real;
 ///
 /// assert_eq!(f32::nearest(0.1).double(), 0.1 + 1.4901161138336505e-9); // 24 bits
-/// assert_eq!(f64::nearest(0.1).double(), 0.1);
+/// let tenth: f64 = Real::nearest(0.1);
+/// assert_eq!(tenth.double(), 0.1);
 /// ```
 pub trait Real: RealField + Copy + Sum {
     /// The number of this precision that is nearest to a number in double precision.
