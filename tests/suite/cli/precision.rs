@@ -4,6 +4,8 @@ use serde_json::Value;
 
 use super::{GOOD, err, out, run, run_with};
 
+const THIRDS: &str = r#"{"A": {"dense": [[3, 1], [1, 7]]}, "b": [-1, -1]}"#;
+
 #[test]
 fn stages_are_listed_for_people_and_programs() {
     let text = out(&run_with(GOOD, &["precision", "-"]));
@@ -23,6 +25,20 @@ fn a_method_that_has_not_converged_is_no_question_of_precision() {
     let output = run_with(GOOD, &["precision", "-", "--solver", "pgs", "--sweeps", "0"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(out(&output).contains("rounding is not the limit: pgs in double precision"));
+    // Also if rounding brings x nearer to the solution than the limit.
+    let runs = (1..20).map(|sweeps| {
+        let sweeps = sweeps.to_string();
+        let arguments = ["precision", "-", "--solver", "pgs", "--json", "--sweeps", &sweeps];
+        let json: Value = serde_json::from_str(&out(&run_with(THIRDS, &arguments))).unwrap();
+        let [single, double] = ["single", "double"].map(|run| json[run]["relative"].as_f64());
+        (sweeps, single.unwrap(), double.unwrap())
+    });
+    let (sweeps, single, double) = runs.into_iter().find(|run| run.1 < run.2).unwrap();
+    let between = (0.5 * (single + double)).to_string();
+    let arguments = ["--solver", "pgs", "--sweeps", &sweeps, "--tolerance", &between];
+    let output = run_with(THIRDS, &[&["precision", "-"], &arguments[..]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    assert!(out(&output).contains("rounding is not the limit"), "{}", out(&output));
 }
 
 #[test]

@@ -151,6 +151,21 @@ fn positions_in_single_precision_lose_more_than_all_stages() {
 }
 
 #[test]
+fn numbers_beyond_single_precision_are_an_infinite_error() {
+    // 10³⁹ m/s upward, above the largest number of 24 bits, 3.4 × 10³⁸; the contact is open.
+    let problem = json!({"A": {"dense": [[1]]}, "b": [1e39], "motion": {
+        "mass": [[0, 0, 1]], "jacobian": [[0, 0, 1]], "bias": [0], "compliance": [0],
+        "target": [1e39], "level": "velocity"}});
+    let problem = Problem::parse(&problem.to_string(), "fast.json").unwrap();
+    let question = Question::new(&problem, None, "fast.json").unwrap();
+    let precision = Precision::of(&question, None, None, 1e-3).unwrap();
+    assert_eq!((precision.double.relative, precision.single.relative), (0.0, f64::INFINITY));
+    let velocity = precision.stages.iter().find(|own| own.stage == Stage::Velocity).unwrap();
+    assert_eq!(velocity.alone.relative, f64::INFINITY);
+    assert!(!precision.suffices());
+}
+
+#[test]
 fn a_problem_without_masses_is_measured_by_its_rows() {
     let problem = json!({"A": {"dense": [[3, 1], [1, 7]]}, "b": [-1, -1]});
     let problem = Problem::parse(&problem.to_string(), "two.json").unwrap();
