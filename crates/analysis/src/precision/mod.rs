@@ -375,7 +375,8 @@ impl Exact {
     }
 }
 
-/// √(vᵀA v).
+/// √(vᵀA v); ∞ if it overflows.
 fn length(a: &Matrix, v: &Vector) -> f64 {
-    v.dot(&(a * v)).max(0.0).sqrt()
+    let square = v.dot(&(a * v));
+    if square.is_nan() { f64::INFINITY } else { square.max(0.0).sqrt() }
 }

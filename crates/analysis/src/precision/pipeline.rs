@@ -110,7 +110,7 @@ impl Pipeline {
     }
 
     /// x, and u if masses and rows are known, with these stages in single precision; `None` if the
-    /// solver breaks down.
+    /// solver breaks down or numbers overflow.
     pub fn run(&self, single: &[Stage]) -> Option<(Vector, Option<Vector>)> {
         let is_single = |stage: Stage| single.contains(&stage);
         let data = if is_single(Stage::Data) { self.rounded() } else { self.clone() };
@@ -129,7 +129,8 @@ impl Pipeline {
             false => motion.velocity::<f64>(&x),
             true => motion.velocity::<f32>(&x),
         });
-        Some((x, u))
+        let is_finite = |v: &Vector| v.iter().all(|value| value.is_finite());
+        (is_finite(&x) && u.as_ref().is_none_or(is_finite)).then_some((x, u))
     }
 
     /// The stages of this problem, in their order.
@@ -209,8 +210,7 @@ impl Pipeline {
                 })?
             }
         };
-        let x = x.map(T::double);
-        x.iter().all(|x| x.is_finite()).then_some(x)
+        Some(x.map(T::double))
     }
 }
 

@@ -154,8 +154,8 @@ fn positions_in_single_precision_lose_more_than_all_stages() {
 fn numbers_beyond_single_precision_are_an_infinite_error() {
     // 10³⁹ m/s upward, above the largest number of 24 bits, 3.4 × 10³⁸; the contact is open.
     let problem = json!({"A": {"dense": [[1]]}, "b": [1e39], "motion": {
-        "mass": [[0, 0, 1]], "jacobian": [[0, 0, 1]], "bias": [0], "compliance": [0],
-        "target": [1e39], "level": "velocity"}});
+        "mass": [[0, 0, 1], [1, 1, 1]], "jacobian": [[0, 0, 1]], "bias": [0], "compliance": [0],
+        "target": [1e39, 0], "level": "velocity"}});
     let problem = Problem::parse(&problem.to_string(), "fast.json").unwrap();
     let question = Question::new(&problem, None, "fast.json").unwrap();
     let precision = Precision::of(&question, None, None, 1e-3).unwrap();
