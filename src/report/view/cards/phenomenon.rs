@@ -75,10 +75,10 @@ fn title(record: &Record, phenomenon: &Phenomenon) -> String {
         let runs = phenomenon.columns.iter().filter(|own| own.settings == settings);
         runs.filter(|own| own.unsupported.is_none()).collect()
     };
-    let broken = |runs: &[&Column]| {
+    let broken = |runs: &[&Column], none: &str| {
         let count = runs.iter().filter(|own| !own.holds()).count();
         match count {
-            0 => "no".into(),
+            0 => none.into(),
             _ if count == runs.len() => format!("all {count}"),
             _ => format!("{count} of {}", runs.len()),
         }
@@ -93,8 +93,8 @@ fn title(record: &Record, phenomenon: &Phenomenon) -> String {
     });
     format!(
         "{quantity}: as installed {} engines break the law{worst}; with accurate settings {}",
-        broken(&installed),
-        broken(&accurate)
+        broken(&installed, "no"),
+        broken(&accurate, "none")
     )
 }
 
