@@ -141,7 +141,7 @@ fn choice(choices: &[&Progress]) -> Table {
          typical budget is 10. *next*: the second cheapest solver. *unsupported*: the part of the total weight that ten sweeps of *pgs* leave \
          unsupported. *solvers that fail*: those that do not reach the tolerance within the maximum number of \
          iterations. A stack is a hard case for sweeps and has redundant contacts.",
-        "stack | cheapest | #cost of the cheapest | next | #cost of the next | #rows | #sweeps of pgs | #unsupported after ten sweeps | \
+        "stack | cheapest | #lowest cost | next | #next cost | #rows | #sweeps of pgs | #unsupported after ten sweeps | \
          solvers that fail",
         choices.iter().map(row).collect(),
     )
