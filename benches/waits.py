@@ -118,9 +118,9 @@ def python() -> dict[str, float]:
     x, y, z = (lcplab.solve(own, solver="dantzig").x for own in (twenty, fifty, large))
     return {
         "import lcplab": 1e3 * statistics.median(imported),
-        "judge of 20 rows from Python": 1e6 * best(lambda: lcplab.judge(twenty, x), 200),
-        "judge of 50 rows with its proof": 1e3 * best(lambda: lcplab.judge(fifty, y), 20),
-        "judge of 150 rows with its proof": 1e3 * best(lambda: lcplab.judge(large, z), 5),
+        "judge of 20 rows from Python": 1e6 * best(lambda: lcplab.judge(twenty, x=x), 200),
+        "proof of a solution of 50 rows": 1e3 * best(lambda: lcplab.prove(fifty, y, kind="solution"), 20),
+        "proof of a solution of 150 rows": 1e3 * best(lambda: lcplab.prove(large, z, kind="solution"), 5),
     }
 
 
