@@ -5,7 +5,7 @@ use crate::number::{count, readable};
 /// A named curve.
 #[derive(Debug, Clone)]
 pub struct Series {
-    /// The name in the legend; it determines the color ([`style::style`]).
+    /// The name in the legend; it determines the color ([`style`](super::style::style)).
     pub name: String,
     /// The points in drawing order. A point that an axis cannot show (not finite, or not positive
     /// on a logarithmic axis) breaks the line.
