@@ -24,7 +24,7 @@ Examples:
 
 lcplab solves the problem with textbook versions of the solvers, each stage in single or double precision, and compares \
 the motion with the exact one: with one stage alone in single precision, and with it alone in double. \
-Without the key motion of the file, the motion is that of the rows, w. Friction limits are those of the exact solution.
+Without the key motion of the file, the motion is that of the rows, w. Friction limits are frozen at lcplab's solution.
 
 Exit codes:
   0  single precision suffices

@@ -148,8 +148,10 @@ pub struct Precision {
     /// The exact solution, rounded to 53 bits; if it is not proved, an answer that the judge
     /// accepts.
     pub x: Vec<f64>,
-    /// Whether `x` is proved.
+    /// Whether `x` is proved; with coupled friction, for its own friction limits.
     pub is_proved: bool,
+    /// Whether friction limits are frozen at lcplab's solution.
+    pub is_frozen: bool,
     /// The exact motion û; `None` without masses.
     pub u: Option<Vec<f64>>,
     /// What u is, if known.
@@ -172,7 +174,7 @@ impl Precision {
     ///
     /// # Errors
     /// If the problem has friction cones, more than 150 rows, a row with a_ii ≤ 0, no solution that
-    /// the judge accepts, or is outside the class of the method.
+    /// the judge accepts, a motion that contradicts A and b, or is outside the class of the method.
     pub fn of(
         question: &Question,
         twin: Option<Twin>,
@@ -182,8 +184,12 @@ impl Precision {
         let given = question.require_boxed("errors by precision are", "problem")?;
         check(given)?;
         let gauss = question.problem().motion.as_ref();
-        let gauss =
-            gauss.filter(|gauss| inconsistent_row(gauss, given, &first_answer(question)).is_none());
+        if let Some((i, _)) =
+            gauss.and_then(|gauss| inconsistent_row(gauss, given, &first_answer(question)))
+        {
+            let reason = format!("row {i} of its J, M and bias contradicts A and b");
+            return Err(Error::invalid("problem", "motion", reason));
+        }
         let motion = gauss.map(Motion::new);
         let lcp = motion.as_ref().map_or_else(|| Ok(given.clone()), |own| assembled(given, own))?;
         let (frozen, x, is_proved) = reference(&lcp)?;
@@ -213,6 +219,7 @@ impl Precision {
             effect: exact.effect,
             x: exact.x.as_slice().to_vec(),
             is_proved,
+            is_frozen: given.coupling().is_some(),
             u: exact.u.as_ref().map(|u| u.as_slice().to_vec()),
             level: gauss.and_then(|gauss| gauss.level),
             predicted: exact.predicted(&pipeline),

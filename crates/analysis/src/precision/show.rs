@@ -58,7 +58,11 @@ impl Precision {
             self.predicted.map_or("no formula for interior-point methods".into(), |own| {
                 format!("relative motion error {} in single precision", shown(own))
             });
-        let reference = if self.is_proved { "proved" } else { "accepted by the judge" };
+        let reference = match (self.is_proved, self.is_frozen) {
+            (true, true) => "proved for frozen friction limits",
+            (true, false) => "proved",
+            (false, _) => "accepted by the judge",
+        };
         let measure = match &self.u {
             Some(_) => {
                 let level = self.level.unwrap_or(Level::Velocity);

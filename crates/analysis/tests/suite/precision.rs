@@ -178,3 +178,14 @@ fn a_problem_without_masses_is_measured_by_its_rows() {
     assert!((precision.effect - 0.4f64.sqrt()).abs() < 1e-15);
     assert!(precision.single.relative < 2f64.powi(-24) && precision.single.relative > 0.0);
 }
+
+#[test]
+fn a_motion_that_contradicts_the_matrix_is_refused_and_not_left_out() {
+    let problem = json!({"A": {"dense": [[1]]}, "b": [-2], "motion": {
+        "mass": [[0, 0, 1]], "jacobian": [[0, 0, 1]], "bias": [0], "compliance": [0],
+        "target": [-3], "level": "velocity"}});
+    let problem = Problem::parse(&problem.to_string(), "other.json").unwrap();
+    let question = Question::new(&problem, None, "other.json").unwrap();
+    let error = Precision::of(&question, None, None, 1e-3).unwrap_err().to_string();
+    assert!(error.contains("row 0") && error.contains("contradicts"), "{error}");
+}
