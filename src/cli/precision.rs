@@ -7,7 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use lcplab::error::Result;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
-use lcplab::precision::{Precision, Twin};
+use lcplab::precision::{Precision, TextbookSolver};
 use serde_json::Value;
 
 use super::limits::MemoryLimit;
@@ -34,8 +34,8 @@ pub struct SinglePrecision {
     /// Problem file; its extension determines the format; - reads JSON from standard input
     problem: PathBuf,
     /// Method [default: dantzig if A is positive definite, otherwise pgs]
-    #[arg(long, value_parser = twins())]
-    solver: Option<Twin>,
+    #[arg(long, value_parser = solvers())]
+    solver: Option<TextbookSolver>,
     #[arg(long, help = format!("Friction model: {} [default: the file's]", model_names()))]
     model: Option<Model>,
     /// Number of sweeps of pgs [default: until it has converged in double precision]
@@ -51,9 +51,9 @@ pub struct SinglePrecision {
     json: bool,
 }
 
-fn twins() -> impl TypedValueParser<Value = Twin> {
-    let named = |word: String| Twin::ALL.into_iter().find(|twin| twin.name() == word);
-    PossibleValuesParser::new(Twin::ALL.map(Twin::name))
+fn solvers() -> impl TypedValueParser<Value = TextbookSolver> {
+    let named = |word: String| TextbookSolver::ALL.into_iter().find(|solver| solver.name() == word);
+    PossibleValuesParser::new(TextbookSolver::ALL.map(TextbookSolver::name))
         .try_map(move |word| named(word).ok_or("is no method"))
 }
 

@@ -5,7 +5,7 @@
 //! alone in single precision, with all but one, with all and with none.
 //!
 //! ```
-//! use lcplab_analysis::precision::{Precision, Stage, Twin};
+//! use lcplab_analysis::precision::{Precision, Stage, TextbookSolver};
 //! use lcplab_lcp::Question;
 //! use lcplab_lcp::file::Problem;
 //!
@@ -15,13 +15,13 @@
 //!                           "jacobian": [[0, 0, 1], [1, 0, -1], [1, 1, 1]],
 //!                           "target": [-0.0981, -0.0981], "level": "velocity"}}"#;
 //! let question = Question::new(&Problem::parse(text, "two.json")?, None, "two.json")?;
-//! let precision = Precision::of(&question, Some(Twin::Dantzig), None, 1e-3)?;
+//! let precision = Precision::of(&question, Some(TextbookSolver::Dantzig), None, 1e-3)?;
 //! assert!(precision.suffices() && precision.single.relative < 1e-6);
 //! assert!(precision.double.relative < 1e-14); // nothing in single precision
 //! // Masses that are rounded for all stages alike still leave the stack at rest.
 //! assert_eq!(precision.stages[0].stage, Stage::Data);
 //! assert!(precision.stages[0].alone.relative < 1e-14);
-//! assert_eq!((precision.twin.name(), Stage::Sums.name()), ("dantzig", "sums"));
+//! assert_eq!((precision.solver.name(), Stage::Sums.name()), ("dantzig", "sums"));
 //! // Sums lose most, about 2⁻²⁴ times the load of 4 kg on 1 kg; assembly loses as much.
 //! assert!(precision.finding().starts_with("single precision suffices: "));
 //! assert!(precision.text().starts_with(&precision.finding()));
@@ -57,7 +57,7 @@ const DEFINITE: f64 = 1e-12;
 
 /// The method whose textbook version computes x.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Twin {
+pub enum TextbookSolver {
     /// Projected Gauss-Seidel; has no factor.
     Pgs,
     /// Dantzig's method; A must be positive definite.
@@ -66,16 +66,17 @@ pub enum Twin {
     InteriorPoint,
 }
 
-impl Twin {
+impl TextbookSolver {
     /// All methods.
-    pub const ALL: [Twin; 3] = [Twin::Pgs, Twin::Dantzig, Twin::InteriorPoint];
+    pub const ALL: [TextbookSolver; 3] =
+        [TextbookSolver::Pgs, TextbookSolver::Dantzig, TextbookSolver::InteriorPoint];
 
     /// The name of the method.
     pub fn name(self) -> &'static str {
         match self {
-            Twin::Pgs => "pgs",
-            Twin::Dantzig => "dantzig",
-            Twin::InteriorPoint => "interior-point",
+            TextbookSolver::Pgs => "pgs",
+            TextbookSolver::Dantzig => "dantzig",
+            TextbookSolver::InteriorPoint => "interior-point",
         }
     }
 }
@@ -138,8 +139,8 @@ pub struct StageLoss {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Precision {
     /// The method.
-    pub twin: Twin,
-    /// The number of sweeps of [`Twin::Pgs`].
+    pub solver: TextbookSolver,
+    /// The number of sweeps of [`TextbookSolver::Pgs`].
     pub sweeps: usize,
     /// The largest relative error that suffices.
     pub tolerance: f64,
@@ -157,7 +158,7 @@ pub struct Precision {
     /// What u is, if known.
     pub level: Option<Level>,
     /// The predicted relative error with all stages in single precision; `None` for
-    /// [`Twin::InteriorPoint`].
+    /// [`TextbookSolver::InteriorPoint`].
     pub predicted: Option<f64>,
     /// With all stages in double precision.
     pub double: Loss,
@@ -168,8 +169,8 @@ pub struct Precision {
 }
 
 impl Precision {
-    /// The errors of a problem; without a method, of [`Twin::Dantzig`] if A is positive definite,
-    /// else of [`Twin::Pgs`]. Without a number of sweeps, they are doubled until the run in double
+    /// The errors of a problem; without a method, of [`TextbookSolver::Dantzig`] if A is positive definite,
+    /// else of [`TextbookSolver::Pgs`]. Without a number of sweeps, they are doubled until the run in double
     /// precision has converged. Friction limits are those of the exact solution.
     ///
     /// # Errors
@@ -177,7 +178,7 @@ impl Precision {
     /// the judge accepts, a motion that contradicts A and b, or is outside the class of the method.
     pub fn of(
         question: &Question,
-        twin: Option<Twin>,
+        solver: Option<TextbookSolver>,
         sweeps: Option<usize>,
         tolerance: f64,
     ) -> Result<Self> {
@@ -194,15 +195,19 @@ impl Precision {
         let lcp = motion.as_ref().map_or_else(|| Ok(given.clone()), |own| assembled(given, own))?;
         let (frozen, x, is_proved) = reference(&lcp)?;
         let is_definite = least_scaled_eigenvalue(&lcp) > DEFINITE;
-        let twin = twin.unwrap_or(if is_definite { Twin::Dantzig } else { Twin::Pgs });
-        twin.check(&frozen, is_definite)?;
-        let mut pipeline = Pipeline::new(motion, &frozen, twin, sweeps.unwrap_or(FEWEST_SWEEPS));
+        let solver = solver.unwrap_or(if is_definite {
+            TextbookSolver::Dantzig
+        } else {
+            TextbookSolver::Pgs
+        });
+        solver.check(&frozen, is_definite)?;
+        let mut pipeline = Pipeline::new(motion, &frozen, solver, sweeps.unwrap_or(FEWEST_SWEEPS));
         let exact = Exact::new(&pipeline, frozen, x);
         let is_short = |pipeline: &Pipeline| {
             exact.loss(pipeline, &[]).relative > CONVERGED * tolerance
                 && pipeline.sweeps * pipeline.b.len().pow(2) < MOST_TERMS
         };
-        while twin == Twin::Pgs && sweeps.is_none() && is_short(&pipeline) {
+        while solver == TextbookSolver::Pgs && sweeps.is_none() && is_short(&pipeline) {
             pipeline.sweeps *= 2;
         }
         let loss = |single: &[Stage]| exact.loss(&pipeline, single);
@@ -213,7 +218,7 @@ impl Precision {
             StageLoss { stage, alone: loss(&[stage]), mended: loss(&others), cost }
         };
         Ok(Precision {
-            twin,
+            solver,
             sweeps: pipeline.sweeps,
             tolerance,
             effect: exact.effect,
@@ -247,14 +252,14 @@ impl Precision {
     }
 }
 
-impl Twin {
+impl TextbookSolver {
     fn check(self, lcp: &Lcp, is_definite: bool) -> Result<()> {
         let is_half_line = |i: usize| lcp.lo()[i] == 0.0 && lcp.hi()[i] == f64::INFINITY;
         let reason = match self {
-            Twin::Dantzig if !is_definite => {
+            TextbookSolver::Dantzig if !is_definite => {
                 "is singular: the textbook's dantzig needs a positive definite A; use pgs"
             }
-            Twin::InteriorPoint if !(0..lcp.len()).all(is_half_line) => {
+            TextbookSolver::InteriorPoint if !(0..lcp.len()).all(is_half_line) => {
                 "has other bounds than 0 and ∞, which the textbook's interior-point method needs"
             }
             _ => return Ok(()),
@@ -363,13 +368,13 @@ impl Exact {
 
     /// The predicted relative error; `None` for interior-point methods.
     fn predicted(&self, pipeline: &Pipeline) -> Option<f64> {
-        if pipeline.twin == Twin::InteriorPoint {
+        if pipeline.solver == TextbookSolver::InteriorPoint {
             return None;
         }
         let is_free = |&i: &usize| self.lcp.lo()[i] < self.x[i] && self.x[i] < self.lcp.hi()[i];
         let free: Vec<usize> = (0..self.x.len()).filter(is_free).collect();
-        let Pipeline { twin, a, b, .. } = pipeline;
-        let from_forces = prediction::from_forces(*twin, a, b, &free, &self.x);
+        let Pipeline { solver, a, b, .. } = pipeline;
+        let from_forces = prediction::from_forces(*solver, a, b, &free, &self.x);
         let from_velocities = match (&pipeline.motion, &self.u) {
             (Some(motion), Some(u)) => prediction::from_velocities(&motion.mass, &motion.target, u),
             _ => 0.0,

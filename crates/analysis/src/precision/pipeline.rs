@@ -11,7 +11,7 @@ use lcplab_solver::textbook::{
     Matrix, Real, Vector, dantzig_with, gauss_seidel, interior_point_with, ldlt, point, solve,
 };
 
-use super::{Stage, Twin};
+use super::{Stage, TextbookSolver};
 
 /// Dantzig's method is stopped after this number of linear solves per row: rounding can make it
 /// return to the same rows.
@@ -96,17 +96,17 @@ pub(super) struct Pipeline {
     pub b: Vector,
     pub lo: Vector,
     pub hi: Vector,
-    pub twin: Twin,
+    pub solver: TextbookSolver,
     pub sweeps: usize,
 }
 
 impl Pipeline {
     /// The problem with the bounds of `lcp`.
-    pub fn new(motion: Option<Motion>, lcp: &Lcp, twin: Twin, sweeps: usize) -> Self {
+    pub fn new(motion: Option<Motion>, lcp: &Lcp, solver: TextbookSolver, sweeps: usize) -> Self {
         let n = lcp.len();
         let a = Matrix::from_fn(n, n, |i, j| lcp.matrix().entry(i, j));
         let [b, lo, hi] = [lcp.b(), lcp.lo(), lcp.hi()].map(Vector::from_column_slice);
-        Pipeline { motion, a, b, lo, hi, twin, sweeps }
+        Pipeline { motion, a, b, lo, hi, solver, sweeps }
     }
 
     /// x, and u if masses and rows are known, with these stages in single precision; `None` if the
@@ -135,7 +135,7 @@ impl Pipeline {
 
     /// The stages of this problem, in their order.
     pub fn stages(&self) -> Vec<Stage> {
-        let has_factor = self.twin != Twin::Pgs;
+        let has_factor = self.solver != TextbookSolver::Pgs;
         let has_motion = self.motion.is_some();
         let all = [
             (Stage::Data, true),
@@ -153,7 +153,7 @@ impl Pipeline {
         let n = self.b.len();
         let k = self.motion.as_ref().map_or(0, |motion| motion.target.len());
         let stored = |numbers: usize| format!("{} more bytes of storage", count(4 * numbers));
-        match (stage, self.twin) {
+        match (stage, self.solver) {
             (Stage::Data, _) => match &self.motion {
                 None => stored(self.a.iter().filter(|a| **a != 0.0).count() + 3 * n),
                 Some(motion) => {
@@ -167,7 +167,7 @@ impl Pipeline {
             (Stage::Factor, _) => {
                 format!("n³/3 = {} multiplications per solve", count((n * n * n).div_ceil(3)))
             }
-            (Stage::Sums, Twin::Pgs) => {
+            (Stage::Sums, TextbookSolver::Pgs) => {
                 format!("n² = {} multiplications per sweep, x and w in double", count(n * n))
             }
             (Stage::Sums, _) => {
@@ -193,13 +193,13 @@ impl Pipeline {
     fn solve<T: Real, F: Real>(&self, a: &Matrix, b: &Vector) -> Option<Vector> {
         let (a, b) = (a.map(T::nearest), b.map(T::nearest));
         let (lo, hi) = (self.lo.map(T::nearest), self.hi.map(T::nearest));
-        let x = match self.twin {
-            Twin::Pgs => gauss_seidel(&a, &b, &lo, &hi, self.sweeps),
-            Twin::InteriorPoint => interior_point_with(&a, &b, INTERIOR_STEPS, |a, r| {
+        let x = match self.solver {
+            TextbookSolver::Pgs => gauss_seidel(&a, &b, &lo, &hi, self.sweeps),
+            TextbookSolver::InteriorPoint => interior_point_with(&a, &b, INTERIOR_STEPS, |a, r| {
                 let (l, d) = ldlt(&a.map(convert::<T, F>));
                 solve(&l, &d, &r.map(convert::<T, F>)).map(convert::<F, T>)
             }),
-            Twin::Dantzig => {
+            TextbookSolver::Dantzig => {
                 let solves = Cell::new(0);
                 dantzig_with(&a, &b, &lo, &hi, |a, b, free| {
                     solves.set(solves.get() + 1);

@@ -14,7 +14,7 @@
 
 use lcplab_solver::textbook::{Matrix, Real, Vector};
 
-use super::Twin;
+use super::TextbookSolver;
 
 /// 2⁻²⁴/√(8 ln 2): the error is evenly distributed within half the spacing, and the
 /// logarithm of the number within a power of two.
@@ -23,7 +23,13 @@ const ROUNDING: f64 = 0.424_660_900_144_009_5 / 16_777_216.0;
 const REDUNDANT: f64 = 1e-10;
 
 /// The expected |δu|_M if rounding moves x, with these rows free.
-pub(super) fn from_forces(twin: Twin, a: &Matrix, b: &Vector, free: &[usize], x: &Vector) -> f64 {
+pub(super) fn from_forces(
+    solver: TextbookSolver,
+    a: &Matrix,
+    b: &Vector,
+    free: &[usize],
+    x: &Vector,
+) -> f64 {
     if free.is_empty() {
         return 0.0;
     }
@@ -32,18 +38,18 @@ pub(super) fn from_forces(twin: Twin, a: &Matrix, b: &Vector, free: &[usize], x:
         let (i, j) = (free[r], free[c]);
         a[(i, j)] / (size(i) * size(j))
     });
-    let residuals = free.iter().map(|&i| match twin {
-        Twin::Pgs => a[(i, i)] * half_spacing(x[i]) * x[i].signum() / size(i),
-        Twin::Dantzig | Twin::InteriorPoint => {
+    let residuals = free.iter().map(|&i| match solver {
+        TextbookSolver::Pgs => a[(i, i)] * half_spacing(x[i]) * x[i].signum() / size(i),
+        TextbookSolver::Dantzig | TextbookSolver::InteriorPoint => {
             let squares = (0..x.len()).map(|j| (a[(i, j)] * x[j]).powi(2)).sum::<f64>();
             ROUNDING * (squares + b[i].powi(2)).sqrt() / size(i)
         }
     });
     let residuals = Vector::from_iterator(free.len(), residuals);
     let eigen = scaled.symmetric_eigen();
-    let square = |(value, direction): (&f64, Vector)| match twin {
+    let square = |(value, direction): (&f64, Vector)| match solver {
         _ if *value < REDUNDANT => 0.0,
-        Twin::Pgs => direction.dot(&residuals).powi(2) / value,
+        TextbookSolver::Pgs => direction.dot(&residuals).powi(2) / value,
         _ => direction.component_mul(&residuals).norm_squared() / value,
     };
     let directions = eigen.eigenvectors.column_iter().map(|column| column.into_owned());

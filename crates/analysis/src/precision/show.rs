@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{Loss, Precision, StageLoss, Twin};
+use super::{Loss, Precision, StageLoss, TextbookSolver};
 use lcplab_lcp::Level;
 use lcplab_lcp::file::number;
 use lcplab_lcp::number::count;
@@ -18,7 +18,7 @@ impl Precision {
             return format!(
                 "rounding is not the limit: {} in double precision has a relative motion error of {double} above \
                  the limit {limit}",
-                self.twin.name()
+                self.solver.name()
             );
         }
         let most = |words: &str| match self.worst() {
@@ -50,9 +50,9 @@ impl Precision {
 
     /// The block of text that commands print: the finding, the prediction and a table of stages.
     pub fn text(&self) -> String {
-        let sweeps = match self.twin {
-            Twin::Pgs => format!(", {} sweeps", count(self.sweeps)),
-            Twin::Dantzig | Twin::InteriorPoint => String::new(),
+        let sweeps = match self.solver {
+            TextbookSolver::Pgs => format!(", {} sweeps", count(self.sweeps)),
+            TextbookSolver::Dantzig | TextbookSolver::InteriorPoint => String::new(),
         };
         let predicted =
             self.predicted.map_or("no formula for interior-point methods".into(), |own| {
@@ -77,7 +77,7 @@ impl Precision {
         let mut text = format!("{}\n", self.finding());
         text += &format!(
             "  solver      {}{sweeps}; reference solution {reference}\n",
-            self.twin.name()
+            self.solver.name()
         );
         text += &format!("  predicted   {predicted}\n");
         text += &format!("  errors      {measure}\n");
@@ -108,8 +108,8 @@ impl Precision {
         let object = json!({
             "finding": plain(&self.finding()),
             "suffices": self.suffices(),
-            "solver": self.twin.name(),
-            "sweeps": (self.twin == Twin::Pgs).then_some(self.sweeps),
+            "solver": self.solver.name(),
+            "sweeps": (self.solver == TextbookSolver::Pgs).then_some(self.sweeps),
             "tolerance": number(self.tolerance),
             "predicted": self.predicted.map(number),
             "proved": self.is_proved,

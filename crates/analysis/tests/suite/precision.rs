@@ -1,6 +1,6 @@
 //! Errors in single precision.
 
-use lcplab_analysis::precision::{Precision, Stage, Twin};
+use lcplab_analysis::precision::{Precision, Stage, TextbookSolver};
 use lcplab_lcp::Question;
 use lcplab_lcp::file::Problem;
 use serde_json::json;
@@ -53,27 +53,27 @@ fn masses(random: &mut oorandom::Rand64, n: usize, ratio: f64) -> Vec<f64> {
 fn the_motion_error_of_stacks_is_predicted_within_a_factor_of_three() {
     let ratios = [0.01, 1.0, 10.0, 100.0, 1e4, -30.0, -1000.0];
     let all = ratios.iter().flat_map(|&ratio| [2, 5, 10, 20].map(|n| (n, ratio)));
-    let direct = all.map(|(n, ratio)| (Twin::Dantzig, n, ratio));
+    let direct = all.map(|(n, ratio)| (TextbookSolver::Dantzig, n, ratio));
     // Those that converge in a second.
     let sweeps = [(2, 0.01), (2, 1.0), (5, 1.0), (10, 1.0), (20, 1.0), (2, 10.0), (5, 10.0)];
     let sweeps = [&sweeps[..], &[(10, 10.0), (2, 100.0), (5, 100.0), (2, -30.0), (10, -30.0)]];
-    let sweeps = sweeps.concat().into_iter().map(|(n, ratio)| (Twin::Pgs, n, ratio));
+    let sweeps = sweeps.concat().into_iter().map(|(n, ratio)| (TextbookSolver::Pgs, n, ratio));
     let (mut stacks, mut near) = (0.0, 0.0);
-    for (twin, n, ratio) in direct.chain(sweeps) {
+    for (solver, n, ratio) in direct.chain(sweeps) {
         let mut random = oorandom::Rand64::new(59);
         let (mut measured, mut predicted) = (0.0_f64, 0.0_f64);
         for _ in 0..10 {
             let masses = masses(&mut random, n, ratio);
-            let precision = Precision::of(&stack(&masses), Some(twin), None, 1e-3).unwrap();
+            let precision = Precision::of(&stack(&masses), Some(solver), None, 1e-3).unwrap();
             let (own, expected) = (precision.single.relative, precision.predicted.unwrap());
-            assert!(precision.double.relative < 1e-7, "{twin:?}, {n} bodies, ratio {ratio}");
-            assert!(own < 3.0 * expected, "{twin:?}, {masses:?}: {own} of {expected}");
+            assert!(precision.double.relative < 1e-7, "{solver:?}, {n} bodies, ratio {ratio}");
+            assert!(own < 3.0 * expected, "{solver:?}, {masses:?}: {own} of {expected}");
             (measured, predicted) = (measured.hypot(own), predicted.hypot(expected));
             stacks += 1.0;
             near += f64::from(own > expected / 3.0);
         }
         let quotient = measured / predicted;
-        assert!((1.0 / 3.0..3.0).contains(&quotient), "{twin:?}, {n}, {ratio}: {quotient}");
+        assert!((1.0 / 3.0..3.0).contains(&quotient), "{solver:?}, {n}, {ratio}: {quotient}");
     }
     // Roundings of a single stack can cancel, and some masses are numbers of 24 bits.
     assert!(near / stacks > 0.75, "{near} of {stacks}");
@@ -95,7 +95,8 @@ fn the_prediction_is_the_closed_form_of_a_stack() {
     let velocities = 2.0; // u* and M⁻¹Jᵀx, both −g dt; u = 0
     let rms = (1.0 / (8.0 * 2f64.ln())).sqrt() * 2f64.powi(-24); // of one rounding
     let expected = rms * (square + velocities).sqrt();
-    let precision = Precision::of(&stack(&[1.0; 8]), Some(Twin::Dantzig), None, 1e-3).unwrap();
+    let precision =
+        Precision::of(&stack(&[1.0; 8]), Some(TextbookSolver::Dantzig), None, 1e-3).unwrap();
     let predicted = precision.predicted.unwrap();
     assert!((predicted / expected - 1.0).abs() < 1e-9, "{predicted} and {expected}");
 }
@@ -105,7 +106,8 @@ fn rounded_masses_still_rest_but_rounded_sums_do_not() {
     // Any masses rest on the ground, so data in single precision cost nothing, as long as all
     // stages use the same ones.
     let precision =
-        Precision::of(&stack(&[1.1, 2.3, 0.7, 97.0]), Some(Twin::Pgs), None, 1e-3).unwrap();
+        Precision::of(&stack(&[1.1, 2.3, 0.7, 97.0]), Some(TextbookSolver::Pgs), None, 1e-3)
+            .unwrap();
     let losses = precision.stages.iter().map(|own| (own.stage, own.alone.relative));
     let losses: Vec<(Stage, f64)> = losses.collect();
     let stages = losses.iter().map(|(stage, _)| *stage);
@@ -124,7 +126,8 @@ fn sums_in_double_mend_sweeps_if_the_matrix_is_exact() {
     // is the load of 20 − i bodies.
     let squares: f64 = (1..=20).map(|load| f64::from(load).powi(2)).sum();
     let of_x = 0.42 * 2f64.powi(-24) * (2.0 * squares / 20.0).sqrt();
-    let precision = Precision::of(&stack(&[1.1; 20]), Some(Twin::Pgs), None, 1e-6).unwrap();
+    let precision =
+        Precision::of(&stack(&[1.1; 20]), Some(TextbookSolver::Pgs), None, 1e-6).unwrap();
     assert!(!precision.suffices());
     let best = precision.best_mended().unwrap();
     assert_eq!(best.stage, Stage::Sums);
