@@ -169,9 +169,10 @@ pub struct Precision {
 }
 
 impl Precision {
-    /// The errors of a problem; without a method, of [`TextbookSolver::Dantzig`] if A is positive definite,
-    /// else of [`TextbookSolver::Pgs`]. Without a number of sweeps, they are doubled until the run in double
-    /// precision has converged. Friction limits are those of the exact solution.
+    /// The errors of a problem; without a method, of [`TextbookSolver::Dantzig`] if A is positive
+    /// definite, else of [`TextbookSolver::Pgs`]. Without a number of sweeps, they are doubled
+    /// until the run in double precision has converged. Friction limits are those of the exact
+    /// solution.
     ///
     /// # Errors
     /// If the problem has friction cones, more than 150 rows, a row with a_ii ≤ 0, no solution that
