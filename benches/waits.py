@@ -65,8 +65,8 @@ def programs(lcplab: Path, folder: Path) -> dict[str, float]:
     def median(measure: Callable[[], float]) -> float:
         return statistics.median(measure() for _ in range(RUNS))
 
-    small = median(lambda: step(2, 12))
-    large = step(1, 3, "--set", "generate.count=20000")
+    small = median(lambda: step(2, 52))
+    large = median(lambda: step(1, 6, "--set", "generate.count=20000"))
     found = {
         "a step of the tower of 700": 1e3 * small,
         "growth of a step from 700 to 20,000 cubes": math.log(large / small) / math.log(20_000 / 700),

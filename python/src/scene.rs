@@ -89,6 +89,7 @@ impl Scene {
         solver: Option<String>,
     ) -> PyResult<Self> {
         let mut scene = Described::load_with(name, &set).map_err(refused)?;
+        let own_method = (scene.step.scheme, scene.solver.name.clone());
         if let Some(scheme) = scheme {
             scene.step.scheme =
                 Scheme::ALL.into_iter().find(|known| known.name() == scheme).ok_or_else(|| {
@@ -99,10 +100,13 @@ impl Scene {
                         format!("must be one of {known}, is {scheme:?}"),
                     ))
                 })?;
-            scene.solver.fixed_sweeps = false;
         }
         if let Some(solver) = solver {
-            (scene.solver.name, scene.solver.fixed_sweeps) = (solver, false);
+            scene.solver.name = solver;
+        }
+        // A number of sweeps without a test is the scene's choice for its own method only.
+        if own_method != (scene.step.scheme, scene.solver.name.clone()) {
+            scene.solver.fixed_sweeps = false;
         }
         Scene::started(scene)
     }

@@ -111,6 +111,11 @@ impl Changes {
         scene::saved(path, &self.set, scene, states, time)
     }
 
+    /// Whether this field is among them.
+    pub fn sets(&self, field: &str) -> bool {
+        self.set.iter().any(|(key, _)| key == field)
+    }
+
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.set.is_empty()
@@ -152,11 +157,12 @@ impl SceneArgs {
     pub fn load(&self, named: Option<&str>, solvers: Registry) -> Result<Scene> {
         let mut scene = self.step.changes.load(&self.scene)?;
         scene.solvers = solvers;
+        let method = |scene: &Scene| {
+            let Scene { step, contact, solver, .. } = scene;
+            (step.scheme, contact.model, solver.name.clone(), solver.order)
+        };
+        let own_method = method(&scene);
         scene.step.scheme = self.step.scheme.unwrap_or(scene.step.scheme);
-        let names_method = self.step.scheme.is_some() || self.model.is_some() || named.is_some();
-        if names_method || self.solve.tolerance.is_some() || self.solve.choices.order.is_some() {
-            scene.solver.fixed_sweeps = false;
-        }
         scene.step.dt = self.step.dt.unwrap_or(scene.step.dt);
         if let Some(model) = self.model {
             scene.contact.model = model;
@@ -169,6 +175,15 @@ impl SceneArgs {
         solver.order = self.solve.choices.order.unwrap_or(solver.order);
         solver.seed = self.solve.choices.seed.unwrap_or(solver.seed);
         solver.damping = self.solve.choices.damping.or(solver.damping);
+        // A number of sweeps without a test is the scene's choice for its own method only.
+        let is_tested = self.solve.tolerance.is_some() || method(&scene) != own_method;
+        if is_tested && !self.step.changes.sets("solver.fixed_sweeps") {
+            scene.solver.fixed_sweeps = false;
+        }
+        if self.solve.tolerance.is_some() && scene.solver.fixed_sweeps {
+            let reason = "has no effect with solver.fixed_sweeps=true";
+            return Err(Error::invalid(&scene.name, "--tolerance", reason));
+        }
         scene.validate()?;
         scene.memory = self.solve.memory.max_memory;
         Ok(scene)

@@ -26,6 +26,27 @@ fn a_scene_is_stepped_in_the_given_order() {
 }
 
 #[test]
+fn fixed_sweeps_stay_with_the_method_of_the_scene_and_end_with_another_or_a_tolerance() {
+    let stepped = |arguments: &[&str]| {
+        run(&[&["simulate", "warm_start", "--steps", "2", "--json"], arguments].concat())
+    };
+    let problems = |arguments: &[&str]| {
+        let summary: Value = serde_json::from_str(&out(&stepped(arguments))).unwrap();
+        summary["problems"].clone()
+    };
+    assert_eq!(out(&stepped(&["--solver", "pgs"])), out(&stepped(&[])));
+    assert_eq!(problems(&[]), 0); // none is posed
+    assert_eq!(problems(&["--solver", "dantzig"]), 2);
+    assert_eq!(problems(&["--tolerance", "1e-6"]), 2);
+    let stated = ["--set", "solver.fixed_sweeps=true"];
+    for other in [["--solver", "dantzig"], ["--tolerance", "1e-6"]] {
+        let refused = stepped(&[stated, other].concat());
+        assert_eq!(refused.status.code(), Some(2), "{other:?}");
+        assert!(err(&refused).contains("fixed_sweeps"), "{}", err(&refused));
+    }
+}
+
+#[test]
 fn simulate_records_every_step_and_body() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();
