@@ -298,7 +298,7 @@ const lcpcheck = (() => {
     const owners = CONES.includes(model) ? [...new Set(owner.filter((k) => k >= 0))].sort((i, j) => i - j) : [];
     const contacts = owners.map((k) => [k, ...b.keys()].filter((i, at) => at === 0 || owner[i] === k));
     const others = [...b.keys()].filter((i) => !contacts.flat().includes(i));
-    return { contacts, others, n, A, B, M, L, U, owner, sa, sb, sl, sm, motion, model, least: parts(scale), hash: sha256(bytes) };
+    return { contacts, others, n, biased: n, A, B, M, L, U, owner, sa, sb, sl, sm, motion, model, least: parts(scale), hash: sha256(bytes) };
   }
 
   // x times D, and D, from a point of a proof.
@@ -375,7 +375,7 @@ const lcpcheck = (() => {
     const A = rows.map((row) => [...row.keys()].map((j) => [j, values[next++]]));
     const extra = (list, v) => [...list, ...Array(k).fill(v)];
     const others = [...p.others, ...Array.from({ length: k }, (_, j) => n + j)];
-    return { ...p, n: width, A, sa, B, sb, M: extra(p.M, 0n), L: extra(p.L, null), U: extra(p.U, null), owner: extra(p.owner, -1), others };
+    return { ...p, n: width, biased: n, A, sa, B, sb, M: extra(p.M, 0n), L: extra(p.L, null), U: extra(p.U, null), owner: extra(p.owner, -1), others };
   }
 
   // The redundant rows of a proof: each depends on rows with w = 0 that are not redundant, up to a change of b.
@@ -397,7 +397,7 @@ const lcpcheck = (() => {
         p.A[j].forEach(([column, a]) => sums.set(column, (sums.get(column) ?? 0n) + f * a));
       }
       need([...sums.values()].every((v) => v === 0n), `row ${i} does not depend on the others`);
-      const [m, e] = parts(change), most = binary([m * abs(integer(own[String(i)])), e + Number(p.sb)]);
+      const [m, e] = parts(i < p.biased ? change : 0), most = binary([m * abs(integer(own[String(i)])), e + Number(p.sb)]);
       need(abs(total) * most[1] <= most[0], `b of row ${i} does not depend on the others`);
     }
     return rows;

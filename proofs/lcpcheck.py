@@ -120,7 +120,7 @@ class Problem:
         need(type(data) is dict and "A" in data and "b" in data, "A or b is missing")
         need(type(data["A"]) is dict and ("dense" in data["A"]) != ("triplets" in data["A"]), "A")
         b, a = [number(v) for v in entries(data["b"])], data["A"]
-        n = self.n = len(b)
+        n = self.n = self.biased = len(b)
         need(set(a) <= {"dense", "triplets", "rows", "cols"}, "A has an unknown key")
         need(all(index(a[key], n + 1) == n for key in ("rows", "cols") if key in a), "A has another size")
         if "dense" in a:
@@ -281,7 +281,7 @@ class Problem:
         more = other.s - self.s
         other.mu = [m << more for m in self.mu] + [0] * k
         other.ends = [tuple(None if end is None else end << more for end in ends) for ends in self.ends] + [(None, None)] * k
-        other.n, other.owner, other.others = n + k, self.owner + [None] * k, self.others + list(range(n, n + k))
+        other.n, other.biased, other.owner, other.others = n + k, n, self.owner + [None] * k, self.others + list(range(n, n + k))
         return other
 
     def redundant(self, data, unknown, change):
@@ -301,7 +301,8 @@ class Problem:
                 for column, a in self.A[j]:
                     sums[column] = sums.get(column, 0) + f * a
             need(not any(sums.values()), f"row {key} does not depend on the others")
-            need(abs(total) <= (Q(change) * abs(integer(factors[key])) * (1 << self.s)), f"b of row {key} does not depend on the others")
+            most = Q(change) if decimal(key) < self.biased else 0
+            need(abs(total) <= (most * abs(integer(factors[key])) * (1 << self.s)), f"b of row {key} does not depend on the others")
         return {i: equation for i, equation in unknown.items() if i not in rows}, rows
 
     def region(self, proof):

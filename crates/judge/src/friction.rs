@@ -24,7 +24,9 @@
 //! ```
 
 use super::polygon::judge_polygon;
-use super::{Certificate, Demand, Evidence, Refutation, Verdict, judge, judge_cone};
+use super::{
+    Certificate, Demand, Evidence, Refutation, Verdict, judge, judge_cone, refuting_vector,
+};
 use lcplab_lcp::friction::ProblemForm;
 
 /// The judge's result on x.
@@ -127,7 +129,7 @@ pub fn judge_friction(problem: &ProblemForm, x: &[f64], demand: &Demand) -> Fric
         ProblemForm::Polyhedral(polyhedral) => judge_polygon(polyhedral, x, demand),
         ProblemForm::Cone(cone) => {
             let certificate = judge_cone(cone, x, demand);
-            FrictionCertificate {
+            let certificate = FrictionCertificate {
                 w: certificate.w,
                 residuals: certificate.residuals,
                 scaled_residual: certificate.scaled_residual,
@@ -135,6 +137,13 @@ pub fn judge_friction(problem: &ProblemForm, x: &[f64], demand: &Demand) -> Fric
                 verdict: certificate.verdict,
                 rounded_by: certificate.rounded_by,
                 evidence: None,
+            };
+            let is_open = certificate.verdict == Verdict::WithinTolerance;
+            let farkas = (is_open && x.len() <= demand.prove_up_to)
+                .then(|| refuting_vector(&cone.friction().coupled_box(), &[x], demand.tolerance));
+            match farkas.flatten() {
+                Some(farkas) => certificate.refuted_by(Refutation::Vector(farkas)),
+                None => certificate,
             }
         }
     }

@@ -72,7 +72,21 @@ pub(crate) fn rounded(lcp: &Lcp, contacts: &[Contact], x: &[f64]) -> Option<Vec<
         let (lo, hi) = lcp.bounds(i, &moved);
         moved[i] = nearest(i, [lo, hi]).unwrap_or(x[i]);
     }
+    for contact in contacts {
+        pull_in(contact, &mut moved, ROUNDING * sizes[contact.rows[0]]);
+    }
     (moved != x).then_some(moved)
+}
+
+/// Puts friction that is outside its disk by at most this on the inside of the disk's edge.
+fn pull_in(contact: &Contact, x: &mut [f64], most: f64) {
+    let [n, t1, t2] = contact.rows;
+    let (size, limit) = (lcplab_lcp::hypot(x[t1], x[t2]), contact.mu * x[n]);
+    if limit > 0.0 && size > limit && size - limit <= most {
+        // Divided by a little more, so that rounding leads inwards.
+        let factor = limit / (size * (1.0 + 4.0 * f64::EPSILON));
+        (x[t1], x[t2]) = (factor * x[t1], factor * x[t2]);
+    }
 }
 
 /// The verdict on the rounded neighbor of x and its distance from x, if the neighbor exists and is

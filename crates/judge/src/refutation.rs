@@ -11,7 +11,7 @@
 //! joints are equal but for rounding, and have no exact solution. The tolerance 0 asks for any
 //! contradiction of the problem as it is written.
 
-use super::cases::{Search, Tree, search, search_within};
+use super::cases::{Search, Tree, search, search_within, single_vector};
 use super::ray::{Farkas, refute, whole_vector};
 use lcplab_lcp::Lcp;
 use lcplab_lcp::exact::Point;
@@ -84,7 +84,10 @@ pub fn refutation(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Option<Refutat
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Option<Farkas> {
-    vectors(lcp, hints).find(|farkas| farkas.is_significant(tolerance))
+    // The linear programs of clarabel do not use the limits of friction; the exact one does.
+    let exactly = std::iter::once_with(|| single_vector(lcp)).flatten();
+    let mut all = vectors(lcp, hints).chain(exactly.map(|d| whole_vector(lcp, &d)));
+    all.find(|farkas| farkas.is_significant(tolerance))
 }
 
 /// The proofs by the hints and by a linear program, which is solved only if it is needed.

@@ -59,8 +59,9 @@ fn sums_to_zero(numbers: &Numbers, factors: &[(usize, IBig)]) -> bool {
     sums.iter().all(|sum| *sum == Dyadic::ZERO)
 }
 
-/// Whether |e| ≤ most.
+/// Whether |e| ≤ most; a row of a motion has no bias that could change, and needs e = 0.
 fn is_within(numbers: &Numbers, dependence: &Dependence, most: f64) -> bool {
+    let most = if dependence.row < numbers.biased { most } else { 0.0 };
     let (sum, own) = offset(numbers, dependence);
     sum <= own * dyadic(most)
 }

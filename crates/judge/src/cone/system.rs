@@ -54,6 +54,8 @@ pub(super) struct System<'a> {
 pub(super) struct Numbers {
     pub a: Vec<Vec<(usize, Dyadic)>>,
     pub b: Vec<Dyadic>,
+    /// The number of rows with a bias: the rows of a motion, which come last, have none.
+    pub biased: usize,
     lo: Vec<Option<Dyadic>>,
     hi: Vec<Option<Dyadic>>,
     /// The rows that belong to no contact.
@@ -88,6 +90,7 @@ impl Numbers {
         Numbers {
             a: (0..lcp.len()).map(|i| row(i).map(|(j, a)| (j, dyadic(a))).collect()).collect(),
             b: lcp.b().iter().map(|&b| dyadic(b)).collect(),
+            biased: lcp.len(),
             lo: lcp.lo().iter().map(finite).collect(),
             hi: lcp.hi().iter().map(finite).collect(),
             others: problem.friction().others().to_vec(),
@@ -128,6 +131,7 @@ impl Numbers {
         Numbers {
             a: a.into_iter().map(nonzero).collect(),
             b,
+            biased: n,
             lo: without_bounds(lo),
             hi: without_bounds(hi),
             others,

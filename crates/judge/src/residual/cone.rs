@@ -88,9 +88,9 @@ impl OnCone {
         let [of_scale, of_unit] = self.units().map(|unit| {
             let rho = (unit / self.normal.scale).sqrt();
             let p = [self.x[1] * unit, self.x[2] * unit];
-            let target = [rho * (p_n - self.normal.w), p[0] - self.w_t[0], p[1] - self.w_t[1]];
-            let [q, q1, q2] = project(self.mu * rho, target);
-            [(p_n - q / rho).abs(), (p[0] - q1).hypot(p[1] - q2)]
+            let w = [rho * self.normal.w, self.w_t[0], self.w_t[1]];
+            let [n, t1, t2] = step(self.mu * rho, [rho * p_n, p[0], p[1]], w);
+            [(n / rho).abs(), t1.hypot(t2)]
         });
         let relative = of_unit[0].relative_to(self.normal.terms);
         let normal = Residual { step: length(of_scale[0], self.normal.scale), relative };
@@ -131,16 +131,19 @@ fn in_disc(radius: Wide, [t1, t2]: [Wide; 2]) -> [Wide; 2] {
 /// v_n may exceed −μ |v_t| by this fraction of μ |v_t| because of rounding.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Π_K(v): the nearest point of the cone |v_t| ≤ μ v_n. If v is outside the opposite cone only by
-/// rounding, this is the tip: a sliding contact without load has the impulse 0, not 10⁻¹⁷.
-fn project(mu: Wide, [n, t1, t2]: [Wide; 3]) -> [Wide; 3] {
+/// p − Π_K(p − w), with the nearest point Π_K of the cone |v_t| ≤ μ v_n. A w that is small beside p
+/// is not lost in the difference. If p − w is outside the opposite cone only by rounding, the
+/// nearest point is the tip: a sliding contact without load has the impulse 0, not 10⁻¹⁷.
+fn step(mu: Wide, p: [Wide; 3], w: [Wide; 3]) -> [Wide; 3] {
+    let [n, t1, t2] = [0, 1, 2].map(|k| p[k] - w[k]);
     let t = t1.hypot(t2);
     if n + mu * t <= Wide::from(ROUNDING) * (mu * t) {
-        return [Wide::ZERO; 3];
+        return p;
     }
     if t <= mu * n {
-        return [n, t1, t2];
+        return w;
     }
-    let n = (n + mu * t) / (Wide::from(1.0) + mu * mu);
-    [n, mu * n * (t1 / t), mu * n * (t2 / t)]
+    let slope = Wide::from(1.0) + mu * mu;
+    let radius = mu * (n + mu * t) / slope;
+    [w[0] - mu * (t - mu * n) / slope, p[1] - radius * (t1 / t), p[2] - radius * (t2 / t)]
 }

@@ -1,8 +1,8 @@
 //! Answers that differ from a solution by rounding of their own digits are accepted, and no others.
 
-use lcplab_judge::{Demand, Verdict, judge, judge_cone};
-use lcplab_lcp::Lcp;
-use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+use lcplab_judge::{Demand, Verdict, judge, judge_cone, judge_friction};
+use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, ProblemForm};
+use lcplab_lcp::{Complementarity, Lcp};
 use lcplab_testing::{INF, boxed, cases, contacts, manufactured};
 use proptest::prelude::*;
 
@@ -103,12 +103,66 @@ fn a_tie_is_read_in_the_way_that_has_a_solution_next_to_x() {
     assert!(distance < 1e-15, "{distance}");
 }
 
+/// A contact with A = diag(a_n, 1, 1).
+fn contact(law: Law, a_n: f64, b: [f64; 3], mu: f64) -> ConeProblem {
+    let a: [&[f64]; 3] = [&[a_n, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]];
+    let lcp = boxed(&a, &b, &[0.0, -INF, -INF], &[INF; 3]);
+    let contact = Contact { rows: [0, 1, 2], mu };
+    ConeProblem::new(FrictionProblem::new(lcp, vec![contact]).unwrap(), law)
+}
+
 /// A unit mass on the floor, pressed and pushed; μ = ½.
 fn pushed(law: Law, b: [f64; 3]) -> ConeProblem {
-    let a: [&[f64]; 3] = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]];
-    let lcp = boxed(&a, &b, &[0.0, -INF, -INF], &[INF; 3]);
+    contact(law, 1.0, b, 0.5)
+}
+
+#[test]
+fn a_force_of_any_size_hides_no_approach_that_it_cannot_change() {
+    // w_n = −1 for every x.
+    for law in [Law::Coulomb, Law::Associated] {
+        let problem = contact(law, 0.0, [-1.0, 0.0, 0.0], 0.5);
+        for x in [0.0, 1.0, 1e17, 1e300] {
+            let certificate = judge_cone(&problem, &[x, 0.0, 0.0], &Demand::default());
+            assert!(!certificate.verdict.is_solution(), "{law:?}, {x:e}");
+            assert!(problem.scaled_residual(&[x, 0.0, 0.0]) > 0.5, "{law:?}, {x:e}");
+        }
+    }
+}
+
+#[test]
+fn friction_that_is_one_rounding_outside_its_disk_is_accepted() {
+    // w_n = 0 for every x, and b_t is μ x_n long: between sticking and sliding.
+    let b = [0.0, 0.226_386_605_597_767_44, 0.135_396_768_623_593_57];
+    let normal = lcplab_lcp::hypot(b[1], b[2]);
+    for law in [Law::Coulomb, Law::Associated] {
+        let problem = contact(law, 0.0, b, 1.0);
+        for normal in [normal, normal.next_down(), normal.next_up()] {
+            let x = [normal, -b[1], -b[2]];
+            let verdict = judge_cone(&problem, &x, &Demand::default()).verdict;
+            assert!(verdict.is_solution(), "{law:?}, {normal}: {verdict}");
+        }
+        let x = [0.999 * normal, -b[1], -b[2]];
+        assert!(!judge_cone(&problem, &x, &Demand::default()).verdict.is_solution());
+    }
+}
+
+#[test]
+fn a_small_residual_is_refused_where_a_vector_shows_that_there_is_no_solution() {
+    // w_0 = −x_0 + 2 x_1 − 1e-10, and |x_1| ≤ x_0/2.
+    let a: [&[f64]; 4] = [
+        &[-1.0, 2.0, 0.0, 0.0],
+        &[0.0, 1.0, 0.0, 0.0],
+        &[0.0, 0.0, 1.0, 0.0],
+        &[0.0, 0.0, 0.0, 1.0],
+    ];
+    let b = [-1e-10, -5.0, 0.0, -1.0];
+    let lcp = boxed(&a, &b, &[0.0, -INF, -INF, 0.0], &[INF; 4]);
     let contact = Contact { rows: [0, 1, 2], mu: 0.5 };
-    ConeProblem::new(FrictionProblem::new(lcp, vec![contact]).unwrap(), law)
+    let friction = FrictionProblem::new(lcp, vec![contact]).unwrap();
+    let problem = ProblemForm::Cone(ConeProblem::new(friction, Law::Coulomb));
+    let certificate = judge_friction(&problem, &[1.0, 0.5, 0.0, 1.0], &Demand::default());
+    assert!(certificate.scaled_residual < 1e-10);
+    assert!(!certificate.verdict.is_solution() && certificate.refutation().is_some());
 }
 
 #[test]

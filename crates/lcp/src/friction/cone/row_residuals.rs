@@ -50,8 +50,8 @@ impl ConeProblem {
         let [of_scale, of_reach] = tangents.measured(|unit| {
             let rho = (unit.value() / of_normal).sqrt();
             let [p1, p2] = [x[1], x[2]].map(|x| unit.of(x));
-            let [q, q1, q2] = project(contact.mu * rho, [rho * (p_n - w_n), p1 - w1, p2 - w2]);
-            [(p_n - q / rho).abs(), crate::hypot(p1 - q1, p2 - q2)]
+            let [n, t1, t2] = step(contact.mu * rho, [rho * p_n, p1, p2], [rho * w_n, w1, w2]);
+            [(n / rho).abs(), crate::hypot(t1, t2)]
         });
         let row_residual = |k: usize, scale, terms| {
             let residual = merit::relative(of_reach[k], terms);
@@ -71,6 +71,18 @@ impl ConeProblem {
             s => Some(s),
         }
     }
+}
+
+/// p − Π_K(p − w), where Π_K is [`project`]: a w that is small beside p is not lost in it.
+fn step(mu: f64, p: [f64; 3], w: [f64; 3]) -> [f64; 3] {
+    let v: [f64; 3] = std::array::from_fn(|k| p[k] - w[k]);
+    let [q, q1, q2] = project(mu, v);
+    if [q, q1, q2] == v {
+        return w;
+    }
+    let outside = crate::hypot(v[1], v[2]) - mu * v[0];
+    let normal = if q == 0.0 { p[0] } else { w[0] - mu * outside / (1.0 + mu * mu) };
+    [normal, p[1] - q1, p[2] - q2]
 }
 
 /// The point of the disk nearest to t.

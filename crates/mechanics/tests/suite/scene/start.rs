@@ -71,7 +71,7 @@ fn a_start_speed_is_that_of_the_hinge_on_whatever_it_hangs() {
 fn a_saved_scene_begins_with_every_bit_of_the_states() {
     for shipped in SHIPPED {
         let scene = shipped.scene().unwrap();
-        let few = if scene.bodies.len() > 40 { 1 } else { 3 };
+        let few = if scene.bodies.len() > 40 { 0 } else { 3 };
         let states = after(scene.clone(), few).states().to_vec();
         let text = saved(shipped.name, &[], &scene, &states, 0.03).unwrap();
         let later = Scene::from_toml("later.toml", &text).unwrap();

@@ -349,13 +349,7 @@ fn every_family_slows_a_sliding_box_by_coulombs_law() {
 fn every_family_takes_steps_on_every_shipped_scene() {
     catalogue::SHIPPED.par_iter().for_each(|shipped| {
         for scheme in Scheme::ALL {
-            // Sixty cubes of the tower go through the same code as its seven hundred.
-            let mut scene = match shipped.name {
-                "tower" => {
-                    changed("tower", &[("count = 700", "count = 60"), ("ring = 35", "ring = 30")])
-                }
-                name => Scene::load(name).unwrap(),
-            };
+            let mut scene = super::shipped(shipped.name);
             scene.step.scheme = scheme;
             let few = if scene.bodies.len() > 40 { 1 } else { 3 };
             let mut moving = simulation(scene);
