@@ -89,13 +89,18 @@ fn models(directions: usize) -> Result<[Model; 3], String> {
 
 /// A = I, w = x − (press, wanted), |x_t| ≤ μ x_n.
 fn block(mu: f64, press: f64, wanted: [f64; 2]) -> Result<FrictionProblem, String> {
-    let a = Matrix::dense(3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
-    let (no, b) = (f64::NEG_INFINITY, vec![-press, -wanted[0], -wanted[1]]);
-    let posed = Lcp::new(a, b, vec![0.0, no, no], vec![f64::INFINITY; 3])
-        .and_then(|lcp| {
-            lcp.with_coupling(Coupling::new(vec![None, Some(0), Some(0)], vec![0.0, mu, mu])?)
-        })
-        .and_then(|lcp| FrictionProblem::of(&lcp));
+    contact(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], mu, [-press, -wanted[0], -wanted[1]])
+}
+
+/// The problem of one contact.
+pub fn contact(a: &[f64; 9], mu: f64, b: [f64; 3]) -> Result<FrictionProblem, String> {
+    let no = f64::NEG_INFINITY;
+    let posed =
+        Lcp::new(Matrix::dense(3, a), b.to_vec(), vec![0.0, no, no], vec![f64::INFINITY; 3])
+            .and_then(|lcp| {
+                lcp.with_coupling(Coupling::new(vec![None, Some(0), Some(0)], vec![0.0, mu, mu])?)
+            })
+            .and_then(|lcp| FrictionProblem::of(&lcp));
     posed.map_err(|error| error.to_string())
 }
 

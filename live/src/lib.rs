@@ -8,6 +8,7 @@
 
 pub mod abi;
 mod column;
+mod enclosure;
 mod friction;
 mod problem;
 mod rod;
@@ -33,6 +34,8 @@ enum Question {
     Friction(friction::PushedBlock),
     /// Its path over the floor.
     Slide(friction::Slide),
+    /// A box around the impulses of a contact, and its images.
+    Enclose(enclosure::Enclose),
     /// The forces on a rod that slides.
     Rod(rod::Rod),
     /// Its further motion.
@@ -61,6 +64,7 @@ pub fn answer(question: &str) -> String {
         Ok(Question::Motion(motion)) => motion.answer(),
         Ok(Question::Friction(push)) => push.answer(),
         Ok(Question::Slide(slide)) => slide.answer(),
+        Ok(Question::Enclose(question)) => question.answer(),
         Ok(Question::Rod(rod)) => rod.answer(),
         Ok(Question::Run(run)) => run.answer(),
         Ok(Question::Solve(question)) => question.answer(),

@@ -2,6 +2,9 @@
 
 use std::f64::consts::PI;
 
+use lcplab_judge::{ConeProof, cone_proof};
+use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+use lcplab_lcp::{Lcp, Matrix};
 use serde_json::{Value, json};
 
 fn ask(question: Value) -> Value {
@@ -116,6 +119,72 @@ fn a_rod_without_friction_falls_straight_down_and_no_rod_sinks_in() {
             assert!(at(&frame, 1) - at(&frame, 2).sin().abs() > -1e-3, "{mu}: {frame}");
         }
     }
+}
+
+#[test]
+fn a_box_proves_a_contact_where_the_judge_proves_it() {
+    let mut seed = 1_u64;
+    let mut random = |low: f64, high: f64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (radius, mut counts) = (1e-4, [0; 4]);
+    for k in 0..100 {
+        let factor: [f64; 9] = std::array::from_fn(|_| random(-1.0, 1.0));
+        let product =
+            |i: usize, j: usize| (0..3).map(|l| factor[3 * i + l] * factor[3 * j + l]).sum();
+        let a: [f64; 9] = std::array::from_fn(|k| {
+            let product: f64 = product(k / 3, k % 3);
+            product + f64::from(u8::from(k % 4 == 0))
+        });
+        let (mu, b) = (random(0.1, 1.0), [random(-4.0, 0.5), random(-3.0, 3.0), random(-3.0, 3.0)]);
+        // Every second x is farther from the solution than the sides of the box.
+        let distance = if k % 2 == 0 { radius / 4.0 } else { 4.0 * radius };
+        let turn = random(0.0, 2.0 * PI);
+        let error = [0.0, distance * turn.cos(), distance * turn.sin()];
+        let found = ask(
+            json!({ "ask": "enclose", "a": a, "b": b, "mu": mu, "error": error, "radius": radius }),
+        );
+        let vector = |value: &Value| -> Vec<f64> {
+            value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
+        };
+        let (problem, x) = (contact(&a, mu, b), vector(&found["x"]));
+        let proof = cone_proof(&problem, &x, Some(&[radius; 3]));
+        let state = ["open", "sticks", "slides"].iter().position(|own| found["state"] == *own);
+        // The x of an open contact is 0 in every box.
+        let is_near = proof.is_some() || state == Some(0);
+        assert_eq!(found["reason"].is_null(), is_near, "{k}: {found}");
+        counts[if is_near { state.unwrap() } else { 3 }] += 1;
+        let exact = cone_proof(&problem, &vector(&found["solution"]), None).unwrap();
+        for own in found["boxes"].as_array().unwrap() {
+            let (center, radius) = (vector(&own["center"]), vector(&own["radius"]));
+            let most = radius.into_iter().fold(1e-15, f64::max);
+            assert!(!is_near || exact.distance(&center) <= 2.0 * most, "{k}: {own}");
+        }
+    }
+    assert!(counts.iter().all(|&count| count > 5), "{counts:?}");
+}
+
+#[test]
+fn no_box_proves_a_contact_between_sticking_and_sliding() {
+    let a = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+    let between = contact(&a, 0.5, [-2.0, -1.0, 0.0]);
+    for power in 1..15 {
+        let radius = 10_f64.powi(-power);
+        let question = json!({ "ask": "enclose", "a": a, "b": [-2, -1, 0], "mu": 0.5, "error": [0, 0, 0], "radius": radius });
+        let reason = ask(question)["reason"].to_string();
+        assert!(reason.contains("inequality"), "{radius}: {reason}");
+    }
+    let proof = cone_proof(&between, &[2.0, 1.0, 0.0], None);
+    assert!(matches!(proof, Some(ConeProof::Point(_))), "{proof:?}");
+}
+
+fn contact(a: &[f64; 9], mu: f64, b: [f64; 3]) -> ConeProblem {
+    let free = f64::INFINITY;
+    let lcp = Lcp::new(Matrix::dense(3, a), b.to_vec(), vec![0.0, -free, -free], vec![free; 3]);
+    let contact = Contact { rows: [0, 1, 2], mu };
+    let friction = FrictionProblem::new(lcp.unwrap(), vec![contact]).unwrap();
+    ConeProblem::new(friction, Law::Coulomb)
 }
 
 #[test]

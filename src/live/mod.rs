@@ -43,7 +43,7 @@ macro_rules! page {
 }
 
 /// All pages.
-pub const PAGES: [Page; 5] = [
+pub const PAGES: [Page; 6] = [
     page!(
         "two_rows",
         "Two rows",
@@ -63,6 +63,11 @@ pub const PAGES: [Page; 5] = [
         "problem",
         "Your problem",
         "your problem: solve it with any method, follow the steps and the derivation, check and prove any x"
+    ),
+    page!(
+        "cone_proof",
+        "A contact proved by a box",
+        "a contact proved by a box: the friction disk, a box around x, and its images, which shrink to the solution"
     ),
     page!(
         "painleve",

@@ -14,7 +14,7 @@ use super::live::{READY, page};
 
 /// The keys of each page's address, each with a value that changes what is shown and with values
 /// that it may not have.
-const KEYS: [(&str, &[(&str, &str, &[&str])]); 5] = [
+const KEYS: [(&str, &[(&str, &str, &[&str])]); 6] = [
     (
         "two_rows",
         &[
@@ -57,6 +57,18 @@ const KEYS: [(&str, &[(&str, &str, &[&str])]); 5] = [
             ("directions", "8", &["-5", "0", "3", "8.0", "20"]),
             ("angle", "100", &["-5", "361"]),
             ("size", "1", &["-5", "5"]),
+        ],
+    ),
+    (
+        "cone_proof",
+        &[
+            ("press", "1", &["-5", "3"]),
+            ("mu", "1", &["-5", "2"]),
+            ("angle", "100", &["-5", "361"]),
+            ("size", "1", &["-5", "3"]),
+            ("distance", "-2", &["-10", "1"]),
+            ("toward", "100", &["-5", "361"]),
+            ("width", "-2", &["-10", "1"]),
         ],
     ),
     (
@@ -146,6 +158,11 @@ fn an_address_of_friction_that_means_nothing_is_a_sentence() {
 #[test]
 fn an_address_of_the_rod_that_means_nothing_is_a_sentence() {
     check("painleve");
+}
+
+#[test]
+fn an_address_of_the_box_that_means_nothing_is_a_sentence() {
+    check("cone_proof");
 }
 
 #[test]

@@ -81,6 +81,50 @@ fn friction_says_what_the_native_program_says_after_every_click() {
 }
 
 #[test]
+fn a_box_around_x_says_what_the_native_program_says_after_every_click() {
+    let acts = "const acts = [() => turn('#press'), () => turn('#mu'), () => turn('#angle'), () => turn('#size'), () => turn('#distance'), () => turn('#width'),
+        () => press(find('#push'), ['ArrowRight', 'ArrowUp', 'ArrowDown'][below(3)]), () => press(find('#start'), ['ArrowLeft', 'ArrowUp', 'ArrowDown'][below(3)])];";
+    compare(&page("cone_proof").seen(390, &format!("{READY}{HASH}{acts}{SEQUENCES}")), 200);
+}
+
+#[test]
+fn a_box_around_x_proves_the_contact_or_the_page_says_why_not() {
+    // Half-width, error and push; then the boxes drawn green and the beginning of the sentence.
+    let script = "const shown = [];
+        for (const state of ['', 'width=-0.3', 'width=-4&distance=-2', 'distance=0&width=-1', 'size=0.6', 'mu=0.5&angle=0&size=1&distance=-3&width=-2', 'size=1.25&width=-1&distance=-2', 'press=-0.5', 'mu=0&width=0', 'press=0.5&mu=1&size=0&width=-0.2&distance=-1']) {
+            const done = new Promise((end) => addEventListener('hashchange', end, { once: true }));
+            if (state) { location.hash = state; await done; }
+            shown.push([all('#close .cone.in').length, find('#says').textContent, find('#says').className]);
+        }
+        return shown;";
+    let found = page("cone_proof").seen(1280, &format!("{READY}{script}"));
+    let expected = [
+        (7, "exactly one solution. The contact is sliding"),
+        (0, "X is too wide. The equations bend"),
+        (0, "for so narrow a box"),
+        (0, "No box around this x"),
+        (7, "already a point"),
+        (0, "between sticking and sliding"),
+        (0, "points of the other state, which is 0.05 m/s"),
+        (7, "the contact is open. The block leaves the floor at 0.5 m/s"),
+        (7, "already a point"),
+        (0, "X is too wide. It also contains x_n ≤ 0"),
+    ];
+    for (shown, (green, says)) in found.as_array().unwrap().iter().zip(expected) {
+        assert_eq!(shown[0], green, "{says}: {found}");
+        assert!(shown[1].as_str().unwrap().contains(says), "{says}: {found}");
+        let class = if green > 0 {
+            "good"
+        } else if says.starts_with("between") {
+            "caution"
+        } else {
+            "bad"
+        };
+        assert_eq!(shown[2], format!("says {class}"), "{says}");
+    }
+}
+
+#[test]
 fn painleve_says_what_the_native_program_says_after_every_click() {
     let acts = "const acts = [() => turn('#mu'), () => turn('#theta'), () => turn('#omega'), () => choose('#dt'),
         () => press(find('#here'), ['ArrowRight', 'ArrowUp', 'ArrowDown'][below(3)]), () => turn('#step')];";
@@ -246,7 +290,7 @@ fn a_drawing_of_a_problem_takes_less_than_a_frame() {
 
 #[test]
 fn no_control_is_cut_off_on_a_phone() {
-    for name in ["two_rows", "stack", "friction", "problem", "painleve"] {
+    for name in ["two_rows", "stack", "friction", "cone_proof", "problem", "painleve"] {
         let script = "return [document.documentElement.scrollWidth <= innerWidth, all('button, select, input').filter((node) => shown(node)
             && node.getBoundingClientRect().right > innerWidth).map((node) => node.id)];";
         let found = page(name).seen(390, &format!("{READY}{script}"));

@@ -14,6 +14,7 @@
 
 use dashu_int::ops::Abs;
 
+use super::newton;
 use super::redundant::{self, Dependence};
 use super::state::RowState;
 use super::system::{AtPoint, Numbers, System};
@@ -43,6 +44,70 @@ pub struct Enclosure {
 }
 
 impl Enclosure {
+    /// The box of this half-width around x in these states, then its image under Krawczyk's
+    /// operator, the image of that, and so on. An image contains every solution of its box; if the
+    /// [check](Self::check) of the first box succeeds, its image lies inside it.
+    ///
+    /// # Errors
+    /// If a row cannot have its state, or if F' is singular at the center of a box.
+    ///
+    /// ```
+    /// use lcplab_judge::{Enclosure, RowState};
+    /// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+    /// use lcplab_lcp::{Lcp, Matrix};
+    ///
+    /// // A unit mass pressed with 2 N s and pushed with 3 N s, μ = ½: x = (2, 1, 0).
+    /// let a = Matrix::dense(3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
+    /// let (lo, hi) = (vec![0.0, -f64::INFINITY, -f64::INFINITY], vec![f64::INFINITY; 3]);
+    /// let lcp = Lcp::new(a, vec![-2.0, -3.0, 0.0], lo, hi)?;
+    /// let friction = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+    /// let problem = ConeProblem::new(friction, Law::Coulomb);
+    /// let around = |x: [f64; 3], radius: f64| {
+    ///     Enclosure::images(&problem, vec![RowState::Slides; 3], &x, radius, 7).unwrap()
+    /// };
+    /// let boxes = around([2.0, 1.01, 0.01], 0.1);
+    /// assert_eq!(boxes[0].check(&problem), Ok(()));
+    /// assert!(boxes[6].distance(&[2.0, 1.0, 0.0]) < 1e-30);
+    /// assert!(around([2.0, 1.01, 0.01], 2.0)[0].check(&problem).is_err()); // too wide
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    pub fn images(
+        problem: &ConeProblem,
+        states: Vec<RowState>,
+        x: &[f64],
+        radius: f64,
+        count: usize,
+    ) -> Result<Vec<Self>, String> {
+        let numbers = Numbers::of(problem);
+        let system = System::new(problem, &numbers, states)?;
+        let one = dyadic(1.0);
+        let mut center: Vec<Dyadic> =
+            (0..x.len()).map(|i| system.given(i).unwrap_or_else(|| dyadic(x[i]))).collect();
+        let mut radius: Vec<Dyadic> =
+            (0..x.len()).map(|i| dyadic(if system.is_unknown(i) { radius } else { 0.0 })).collect();
+        let mut boxes = Vec::new();
+        while boxes.len() < count {
+            let at = system.at(&center, &one);
+            let inverse = newton::inverse_at(&system, &at).ok_or("F' is singular at the center")?;
+            let test = Krawczyk::new(&system, &at, &inverse);
+            let image = test.shift.iter().zip(test.spread(&system, &radius));
+            let (mut next, mut spread) = (center.clone(), radius.clone());
+            for (&i, (shift, width)) in system.unknowns().iter().zip(image) {
+                next[i] -= shift;
+                spread[i] = width;
+            }
+            boxes.push(Enclosure {
+                states: system.states().to_vec(),
+                redundant: Vec::new(),
+                bias_change: 0.0,
+                center: Point::new(std::mem::replace(&mut center, next), one.clone()),
+                radius: std::mem::replace(&mut radius, spread),
+                inverse,
+            });
+        }
+        Ok(boxes)
+    }
+
     /// Checks that the box contains exactly one solution of its states.
     ///
     /// # Errors
@@ -116,8 +181,8 @@ impl Enclosure {
 
 /// The parts of the test that do not depend on the radius.
 pub(super) struct Krawczyk {
-    /// |C F(c)|.
-    defect: Vec<Dyadic>,
+    /// C F(c).
+    shift: Vec<Dyadic>,
     /// |I − C F'(c)|.
     remainder: Vec<Vec<Dyadic>>,
     /// |C|.
@@ -129,9 +194,8 @@ impl Krawczyk {
         let exact = |row: &Vec<f64>| row.iter().map(|&c| dyadic(c)).collect::<Vec<_>>();
         let inverse: Vec<Vec<Dyadic>> = inverse.iter().map(exact).collect();
         let (values, derivatives) = (system.values(at), system.derivatives(at));
-        let dot = |row: &[Dyadic]| {
-            row.iter().zip(&values).fold(Dyadic::ZERO, |sum, (c, f)| sum + c * f).abs()
-        };
+        let dot =
+            |row: &[Dyadic]| row.iter().zip(&values).fold(Dyadic::ZERO, |sum, (c, f)| sum + c * f);
         let remainder = |(i, row): (usize, &Vec<Dyadic>)| {
             let mut left = vec![Dyadic::ZERO; row.len()];
             left[i] = at.d.clone();
@@ -145,7 +209,7 @@ impl Krawczyk {
             left.into_iter().map(Abs::abs).collect()
         };
         Krawczyk {
-            defect: inverse.iter().map(|row| dot(row)).collect(),
+            shift: inverse.iter().map(|row| dot(row)).collect(),
             remainder: inverse.iter().enumerate().map(remainder).collect(),
             inverse: inverse
                 .into_iter()
@@ -156,15 +220,21 @@ impl Krawczyk {
 
     /// The largest distance from c of an image of the box, times D².
     pub fn image(&self, system: &System<'_>, r: &[Dyadic]) -> Vec<Dyadic> {
+        let spread = self.spread(system, r).into_iter();
+        spread.zip(&self.shift).map(|(spread, shift)| shift.clone().abs() + spread).collect()
+    }
+
+    /// The radius of the image, whose center is c − C F(c), times D².
+    fn spread(&self, system: &System<'_>, r: &[Dyadic]) -> Vec<Dyadic> {
         let curvature = system.curvature(r);
         let row = |i: usize| {
             let columns = self.remainder[i].iter().zip(system.unknowns());
             let linear = columns.fold(Dyadic::ZERO, |sum, (part, &j)| sum + part * &r[j]);
             let products = self.inverse[i].iter().zip(&curvature);
             let curved = products.fold(Dyadic::ZERO, |sum, (c, q)| sum + c * q);
-            &self.defect[i] + linear + (curved << 1)
+            linear + (curved << 1)
         };
-        (0..self.defect.len()).map(row).collect()
+        (0..self.shift.len()).map(row).collect()
     }
 
     pub(crate) fn is_contained(&self, system: &System<'_>, at: &AtPoint<'_>, r: &[Dyadic]) -> bool {

@@ -8,7 +8,7 @@ use dashu_int::ops::Abs;
 
 use super::enclosure::{Enclosure, Krawczyk};
 use super::redundant::{Dependence, largest_offset};
-use super::system::System;
+use super::system::{AtPoint, System};
 use lcplab_lcp::exact::Point;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, exponent, floor};
 
@@ -50,7 +50,7 @@ pub(super) fn center(system: &System<'_>, x: &[f64], bounds: Option<&[f64]>) -> 
         });
         match length {
             length if length.is_none_or(|length| length <= unit + LAST_STEP) => {
-                let inverse = Scaled::new(&system.derivatives(&system.at(&c, &one)))?.inverse()?;
+                let inverse = inverse_at(system, &system.at(&c, &one))?;
                 return Some(Center { x: c, unit, inverse });
             }
             _ if !is_near || stalls == MOST_STALLS => return None,
@@ -61,6 +61,12 @@ pub(super) fn center(system: &System<'_>, x: &[f64], bounds: Option<&[f64]>) -> 
         }
     }
     None
+}
+
+/// An approximate inverse of the derivatives at a point with the denominator 1; `None` if they are
+/// singular in double precision.
+pub(super) fn inverse_at(system: &System<'_>, at: &AtPoint<'_>) -> Option<Vec<Vec<f64>>> {
+    Scaled::new(&system.derivatives(at))?.inverse()
 }
 
 /// A point, and an approximate inverse of the derivatives there.
