@@ -102,7 +102,7 @@ fn a_box_around_x_proves_the_contact_or_the_page_says_why_not() {
         (7, "exactly one solution. The contact is sliding"),
         (0, "X is too wide. The equations bend"),
         (0, "for so narrow a box"),
-        (0, "No box around this x"),
+        (0, "No box with equal sides around this x"),
         (7, "already a point"),
         (0, "between sticking and sliding"),
         (0, "points of the other state, which is 0.05 m/s"),

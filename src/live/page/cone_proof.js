@@ -38,7 +38,7 @@ function verdict() {
   const not = `Not proved (the contact is ${NAMES[name]}):`;
   if (!box) return ["bad", `${not} x is too far from the solution. Where x_t = 0, the friction has no direction and F′ has no inverse.`];
   const outside = rows(found.boxes).filter(({ r, shift, spread }) => shift + spread >= r);
-  if (outside.some(({ r, shift, spread }) => 4 * spread / r * shift >= r)) return ["bad", `${not} x is too far from the solution. No box around this x is mapped into itself.`];
+  if (outside.some(({ r, shift, spread }) => 4 * spread / r * shift >= r)) return ["bad", `${not} x is too far from the solution. No box with equal sides around this x is mapped into itself.`];
   if (outside.some(({ r, spread }) => 2 * spread > r)) return ["bad", `${not} X is too wide. The equations bend too much over it, so K(X) reaches beyond X.`];
   if (outside.length > 0) return ["bad", `${not} x is too far from the solution for so narrow a box. K(X) is narrower than X, but not inside it.`];
   if (box.radius[0] >= solution[0]) return ["bad", `${not} X is too wide. It also contains x_n ≤ 0, where the contact is open.`];
@@ -125,9 +125,9 @@ function drawWidths() {
 
 function drawWords([, sentence]) {
   const { state: name, x, boxes } = found, [equations, inequalities] = CONDITIONS[name];
-  const lines = [`state  ${NAMES[name]}`, `       equations            ${equations}`, `       everywhere in X      ${inequalities}`, `x      (${x.map((v) => short(v, 6)).join(", ")}) N s`, ""];
-  lines.push(`${"half-width (N s)".padEnd(18)}${["x_n", "x_t1", "x_t2"].map((v) => v.padEnd(14)).join("")}`);
-  boxes.forEach(({ radius }, k) => lines.push(`${(k === 0 ? "X" : k === 1 ? "K(X)" : `K${"²³⁴⁵⁶⁷"[k - 2]}(X)`).padEnd(18)}${radius.map((r) => short(r, 3).padEnd(14)).join("")}`));
+  const row = (name, values) => name.padEnd(7) + values.map((value) => value.padEnd(11)).join("").trimEnd();
+  const lines = [`state: ${NAMES[name]}`, `equations F = 0: ${equations}`, `inequalities everywhere in X: ${inequalities}`, `x = (${x.map((v) => short(v, 6)).join(", ")}) N s`];
+  if (name !== "open" && boxes.length > 0) lines.push("", "half-widths in N s", row("", ["x_n", "x_t1", "x_t2"]), ...boxes.map(({ radius }, k) => row(k === 0 ? "X" : k === 1 ? "K(X)" : `K${"²³⁴⁵⁶⁷"[k - 2]}(X)`, radius.map((r) => short(r, 3)))));
   find("#words").textContent = lines.join("\n");
   find("#says").textContent = sentence;
 }
