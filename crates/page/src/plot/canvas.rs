@@ -91,14 +91,12 @@ pub struct Canvas {
     width: f64,
     height: f64,
     body: String,
-    /// Whether a printed page shows the wide picture in place of this narrow one.
-    pub(super) is_printed_wide: bool,
 }
 
 impl Canvas {
     /// An empty canvas of this width and height (px).
     pub fn new(width: f64, height: f64) -> Self {
-        let mut canvas = Canvas { width, height, body: String::new(), is_printed_wide: false };
+        let mut canvas = Canvas { width, height, body: String::new() };
         let corner = (fine(width), fine(height));
         canvas.layer("class=\"paper\"", |layer| {
             layer.draw(&Rectangle::new([(0, 0), corner], PAPER.filled()))
@@ -177,7 +175,7 @@ impl Canvas {
     pub fn finish(self, id: &str, title: &str, description: &str) -> String {
         let title = if title.is_empty() { description } else { title };
         let (id, title, description) = (escape(id), escape(title), escape(description));
-        let is_tall = self.is_printed_wide || self.height > TALL * self.width;
+        let is_tall = self.height > TALL * self.width;
         let is_square = self.width >= WIDTH && self.height > SQUARE * self.width;
         let class = match (is_tall, is_square) {
             (true, _) => " class=\"tall\"",

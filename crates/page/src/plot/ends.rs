@@ -20,6 +20,8 @@ use super::style::{self, INK, TEXT, width};
 /// The height of a line of text, and the length of the line to a label, in px.
 const LINE: f64 = 16.0;
 const LEADER: f64 = 14.0;
+/// The width of the marker between that line and a label right of the frame, in px.
+const SPOT: f64 = 11.0;
 /// A curve whose last point is within this fraction of the right edge reaches it.
 const REACHES: f64 = 0.93;
 /// The largest fraction of a figure's width that the labels take.
@@ -140,7 +142,7 @@ pub(super) fn room(figure: &Lines, x: (f64, f64), wide: f64) -> f64 {
     if widest == 0.0 || is_narrow || is_crowded(figure, x, wide) {
         return 0.0;
     }
-    widest.min(MOST * wide) + LEADER + 4.0
+    widest.min(MOST * wide) + LEADER + SPOT + 4.0
 }
 
 /// The height (px) that the labels of a panel need: those right of the frame stand below each
@@ -154,7 +156,7 @@ pub(super) fn height(
     if is_crowded(figure, x, wide) {
         return if labels(panel).next().is_some() { CROWDED } else { 0.0 };
     }
-    let lines = |label: &str| style::wrapped(label, TEXT, room - LEADER).len();
+    let lines = |label: &str| style::wrapped(label, TEXT, room - LEADER - SPOT).len();
     let beside: usize = match room > 0.0 {
         true => reaching(figure, panel, x).map(|(_, label)| lines(label)).sum(),
         false => 0,
@@ -210,7 +212,7 @@ pub(super) fn draw(
         wanted.push(Wanted { size: (width(text, TEXT), LINE), points, along });
     }
     if frame.right < edge {
-        draw_beside(canvas, frame, beside, edge);
+        draw_beside(canvas, frame, beside, (looks, edge));
     }
     if !inside.is_empty() {
         draw_inside(canvas, map(frame, (x, panel)), &inside, &wanted);
@@ -261,7 +263,12 @@ fn map(frame: &Frame, (x, panel): (&Axis, &Panel)) -> Map {
     map
 }
 
-fn draw_beside(canvas: &mut Canvas, frame: &Frame, mut ends: Vec<End<'_>>, edge: f64) {
+fn draw_beside(
+    canvas: &mut Canvas,
+    frame: &Frame,
+    mut ends: Vec<End<'_>>,
+    (looks, edge): (&BTreeMap<&str, Drawn>, f64),
+) {
     let order: Vec<&str> = ends.iter().map(|end| end.name).collect();
     let place = |end: &End<'_>| order.iter().position(|name| *name == end.name);
     ends.sort_by(|a, b| a.at.1.total_cmp(&b.at.1));
@@ -271,7 +278,7 @@ fn draw_beside(canvas: &mut Canvas, frame: &Frame, mut ends: Vec<End<'_>>, edge:
     }
     let left = frame.right + LEADER;
     let texts: Vec<_> =
-        ends.iter().map(|end| style::wrapped(end.text, TEXT, edge - left)).collect();
+        ends.iter().map(|end| style::wrapped(end.text, TEXT, edge - left - SPOT)).collect();
     let sizes: Vec<_> = texts.iter().map(|lines| LINE * lines.len() as f64).collect();
     let wanted: Vec<_> = ends.iter().map(|end| end.at.1).collect();
     let places = apart(&wanted, &sizes, (frame.top - 8.0, frame.bottom + 8.0));
@@ -290,9 +297,10 @@ fn draw_beside(canvas: &mut Canvas, frame: &Frame, mut ends: Vec<End<'_>>, edge:
             }
             false => lead(canvas, end, &[end.at, start, (left - 3.0, middle)]),
         }
+        looks[end.name].mark(canvas, &[(left + 3.0, middle)]);
         for (k, line) in lines.iter().enumerate() {
             let y = middle - size / 2.0 + LINE * (k as f64 + 0.5) + 4.5;
-            canvas.text((left, y), Anchor::Start, TEXT, INK, line);
+            canvas.text((left + SPOT, y), Anchor::Start, TEXT, INK, line);
         }
         canvas.raw("</g>\n");
     }

@@ -145,7 +145,6 @@ impl Figure for Lines {
         let height = header + total + 36.0;
         let (mut canvas, lower) = Canvas::titled(wide, height, &self.title);
         let crowded = ends::is_crowded(self, x, wide);
-        canvas.is_printed_wide = crowded && self.panels.len() > 1;
         let header = header + lower;
         legend.draw(&mut canvas, lower);
 
