@@ -61,6 +61,9 @@ pub struct Animation {
     pub view: View,
 }
 
+/// Errors whose ratio is above this differ clearly.
+const DIFFERENT: f64 = 2.0;
+
 /// A scene as simulated by one solver.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
@@ -204,6 +207,7 @@ impl Animation {
             svg: chart::svg(self, measure),
         };
         DrawnAnimation {
+            title: self.title(),
             columns: self.columns(),
             size: self.size(),
             times: self.times(),
@@ -212,6 +216,34 @@ impl Animation {
             strips: (0..self.recordings.len()).map(|k| self.strip(k).svg()).collect(),
             data: self.data(),
         }
+    }
+
+    /// The finding: an error in which recordings that did not end early differ clearly, where it is
+    /// smallest and largest.
+    fn title(&self) -> String {
+        let complete = || self.recordings.iter().filter(|own| own.ending.is_none());
+        let said = |measure: Measure| {
+            let rounding = chart::least(self, measure);
+            let worst = |own: &&Recording| own.worst(measure).abs().max(rounding);
+            let by_worst = |a: &&Recording, b: &&Recording| worst(a).total_cmp(&worst(b));
+            let (best, most) = (complete().min_by(by_worst)?, complete().max_by(by_worst)?);
+            let amount = |own: &Recording| match worst(&own) {
+                value if value <= rounding => "0".into(),
+                value => format!("{} {}", readable(value, 2), measure.unit()),
+            };
+            let is_clear = worst(&most) > DIFFERENT * worst(&best) && worst(&most).is_finite();
+            is_clear.then(|| {
+                format!(
+                    "The largest {} is {} with {}, {} with {}",
+                    measure.name(),
+                    amount(best),
+                    best.name,
+                    amount(most),
+                    most.name
+                )
+            })
+        };
+        self.measures().into_iter().rev().find_map(said).unwrap_or_default()
     }
 
     /// The number of recordings side by side.

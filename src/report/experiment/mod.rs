@@ -93,7 +93,9 @@ pub struct Shown {
 pub enum Fold {
     /// Its tables.
     Tables,
-    /// Everything that its study shows except the outcome.
+    /// Its tables, and its figures after the first one.
+    Figures,
+    /// Everything that its study shows except the outcome and the first figure.
     All,
 }
 

@@ -160,6 +160,7 @@ pub fn document(results: &Results) -> Result<ReportPage> {
             match part.shown.fold {
                 None => {}
                 Some(Fold::Tables) => shown.fold = page::Fold::Tables,
+                Some(Fold::Figures) => shown.fold = page::Fold::Figures,
                 Some(Fold::All) => {
                     shown.fold = page::Fold::After(if k == 0 { open } else { 0 });
                 }
@@ -275,10 +276,10 @@ impl ReportPage {
         self.page.sections.push(section);
     }
 
-    /// Collapses the tables of the last section.
-    fn fold_tables(&mut self) {
+    /// Collapses what is added to the last section from now on.
+    fn fold_rest(&mut self) {
         if let Some(section) = self.page.sections.last_mut() {
-            section.fold = page::Fold::Tables;
+            section.fold = page::Fold::After(section.blocks.len());
         }
     }
 

@@ -76,17 +76,22 @@ pub enum Fold {
     Nothing,
     /// Tables.
     Tables,
+    /// Tables, and all figures but the first one.
+    Figures,
     /// Everything after this number of blocks.
     After(usize),
 }
 
 impl Fold {
-    /// Whether this block of a section is collapsed.
-    fn takes(self, place: usize, block: &Block) -> bool {
-        match self {
-            Fold::Nothing => false,
-            Fold::Tables => matches!(block, Block::Table(_)),
-            Fold::After(first) => place >= first,
+    /// Whether the block of a section at this place is collapsed.
+    fn takes(self, place: usize, blocks: &[Block]) -> bool {
+        let is_figure = |block: &Block| matches!(block, Block::Figure(_));
+        match (self, &blocks[place]) {
+            (Fold::Nothing, _) => false,
+            (Fold::Tables | Fold::Figures, Block::Table(_)) => true,
+            (Fold::Figures, Block::Figure(_)) => blocks[..place].iter().any(is_figure),
+            (Fold::Tables | Fold::Figures, _) => false,
+            (Fold::After(first), _) => place >= first,
         }
     }
 }
@@ -313,6 +318,8 @@ pub enum Align {
 pub struct Cell {
     /// The text of the cell.
     pub text: String,
+    /// Inline [`markup`] that the page shows instead of the text, if it is not empty.
+    pub markup: String,
     /// The number that the text shows, used to sort rows, with all digits in the CSV.
     pub value: Option<f64>,
     /// How it is marked.

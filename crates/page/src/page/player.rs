@@ -8,6 +8,8 @@ use crate::escape::html;
 /// An animation, drawn: everything that a page plays.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnAnimation {
+    /// The finding that it shows; may be empty.
+    pub title: String,
     /// The number of panes side by side.
     pub columns: usize,
     /// The width and height of a pane in px.
@@ -81,6 +83,7 @@ pub fn speed(duration: f64) -> f64 {
 struct View<'a> {
     number: usize,
     player: &'a Player,
+    title: &'a str,
     caption: String,
     columns: usize,
     size: (f64, f64),
@@ -103,6 +106,7 @@ pub(super) fn rendered(
     let view = View {
         number,
         player,
+        title: &animation.title,
         caption,
         columns: animation.columns,
         size: animation.size,

@@ -17,6 +17,8 @@ const FONT: &[u8] = include_bytes!("../assets/lcplab-math.woff2");
 
 /// A cell with more characters than this is wrapped.
 const LONG: usize = 28;
+/// A cell with more characters than this takes two columns of a card on a phone.
+const MIDDLE: usize = 15;
 
 /// A table with more rows than this scrolls in its own frame under a fixed header.
 const TALL: usize = 40;
@@ -69,19 +71,25 @@ struct FigureView<'a> {
     caption: String,
 }
 
-/// The number of figures and tables in the blocks, as text.
+/// What the blocks contain, in words: text, and the numbers of figures and tables.
 fn contents<'a>(blocks: impl Iterator<Item = &'a Block> + Clone) -> String {
     let counted = |is: fn(&&Block) -> bool, one: &str| match blocks.clone().filter(is).count() {
         0 => None,
         1 => Some(format!("a {one}")),
         many => Some(format!("{many} {one}s")),
     };
+    let has_text = blocks.clone().any(|block| matches!(block, Block::Text(_)));
     let parts = [
+        has_text.then(|| "text".to_string()),
         counted(|block| matches!(block, Block::Figure(_) | Block::Player(_)), "figure"),
         counted(|block| matches!(block, Block::Table(_)), "table"),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
-    if parts.is_empty() { "this part".into() } else { parts.join(" and ") }
+    match &parts[..] {
+        [] => "this part".into(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
 }
 
 /// The proof checker, the same file that runs in Node.js.
@@ -123,6 +131,8 @@ struct TableView<'a> {
     how_to_read: String,
     /// Each column with its title as HTML.
     columns: Vec<(&'a Column, String)>,
+    /// Each cell with its content as HTML.
+    rows: Vec<Vec<(&'a Cell, String)>>,
 }
 
 impl Page {
@@ -222,7 +232,7 @@ impl Writer {
         let blocks = section.blocks.iter().enumerate();
         let place = |i: usize| format!("section {} {:?}, block {}", k + 1, section.title, i + 1);
         let (folded, open): (Vec<_>, Vec<_>) =
-            blocks.partition(|(i, block)| section.fold.takes(*i, block));
+            blocks.partition(|(i, _)| section.fold.takes(*i, &section.blocks));
         let mut shown: Vec<String> =
             open.into_iter().map(|(i, block)| self.block(&place(i), block)).collect();
         if !folded.is_empty() {
@@ -373,7 +383,15 @@ impl Writer {
             .map(|column| (column, self.checked(place, |markup| markup.inline(&column.title))));
         let columns = titled.collect();
         let number = self.tables;
-        self.checked(place, |_| written(&TableView { number, table, how_to_read, columns }))
+        let mut typeset = |cell: &Cell| match cell.markup.is_empty() {
+            true => html(&cell.text).to_string(),
+            false => self.checked(place, |markup| markup.inline(&cell.markup)),
+        };
+        let mut rows = Vec::new();
+        for row in &table.rows {
+            rows.push(row.iter().map(|cell| (cell, typeset(cell))).collect());
+        }
+        self.checked(place, |_| written(&TableView { number, table, how_to_read, columns, rows }))
     }
 
     /// The HTML, or an empty text and one more defect.
@@ -457,7 +475,11 @@ impl TableView<'_> {
             Mark::Bad => "bad",
             Mark::Note => "caution",
         };
-        let length = if cell.text.chars().count() > LONG { "long" } else { "" };
+        let length = match cell.text.chars().count() {
+            length if length > LONG => "long",
+            length if length > MIDDLE => "middle",
+            _ => "",
+        };
         let paper = if self.table.columns[*k].secondary { "screen-only" } else { "" };
         let classes = [align, mark, length, paper].into_iter().filter(|class| !class.is_empty());
         classes.collect::<Vec<_>>().join(" ")
