@@ -6,38 +6,38 @@ use crate::number::significant;
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::cross_check::{CrossCheck, Plan, Wrench};
 
+const DERIVATION: &str = r"
+With friction, the friction limits of the box QP are fixed at those of lcplab's $x$:
+
+$$\min_{lo \le x \le hi}\; \tfrac12 x^T A x + b^T x$$
+
+Gauss's principle:
+
+$$\min_u\; \tfrac12 (u - u^*)^T M (u - u^*)$$
+
+subject to $J u + \text{bias} \ge 0$ ($= 0$ for joints). A friction row with the fixed limits $\pm h_i$ has no such
+constraint; it adds the term $h_i |(J u + \text{bias})_i|$ to the objective.
+
+The two optimal values must have the same size and opposite signs. If contacts are redundant, $x$ is not unique: the rank of
+$A$ on the free rows (those with $w = 0$) is less than their number, and $x$ may differ while $w$ and the motion $u$ agree.
+In this case lcplab bounds the distance of its motion from the exact motion $\hat u$, instead of the distance between
+two $x$. For any feasible $u$ and $x$, with the objective $P(u)$ above and $D(x) = \tfrac12 x^T A x + b^T x$,
+
+$$|u - \hat u|_M \le \sqrt{2\,(P(u) + D(x))}.$$
+";
+
 impl View for Plan {
     const TITLE: &'static str = "Cross-check with clarabel";
 
     fn show(&self, findings: &[Vec<CrossCheck>], document: &mut ReportPage) {
         let checks = &findings.concat();
         document.text(
-            "Dantzig's answer is compared with two independent answers of the interior-point solver clarabel. \
-             The first is that of the *box QP*: the LCP, written as a minimization over impulses. With friction, the \
-             friction limits are fixed at those of lcplab's $x$:",
+            "Dantzig's answer is compared with two independent answers of the interior-point solver clarabel: to \
+             the *box QP*, the LCP as a minimization over impulses, and to *Gauss's principle*, which determines the \
+             same motion as a minimization over velocities. The second never forms $A$, so it also checks the assembly of $A$.",
         );
-        document.equation("\\min_{lo \\le x \\le hi}\\; \\tfrac12 x^T A x + b^T x", "dual");
-        document.text(
-            "The second is that of *Gauss's principle*, which determines the same motion as a minimization over \
-             velocities. It never forms $A$, so it also checks the assembly of $A$:",
-        );
-        document.equation(
-            "\\min_u\\; \\tfrac12 (u - u^*)^T M (u - u^*) \\quad \\text{subject to} \\quad J u + \
-             \\text{bias} \\ge 0 \\; (\\text{joints: } = 0)",
-            "primal",
-        );
-        document.text(
-            "A friction row with the fixed limits $\\pm h_i$ has no such constraint. It adds the term $h_i |(J u + \
-             \\text{bias})_i|$ to the objective.",
-        );
-        document.text(
-            "The two optimal values must have the same size and opposite signs. If contacts are redundant, $x$ \
-             is not unique: the rank of $A$ on the free rows (those with $w = 0$) is less than their number, and $x$ may differ \
-             while $w$ and the motion $u$ agree. In this case lcplab bounds the distance of its motion from the \
-             exact motion $\\hat u$, instead of the distance between two $x$. For any feasible $u$ and $x$, with the objective $P(u)$ above and \
-             $D(x) = \\tfrac12 x^T A x + b^T x$,",
-        );
-        document.equation("|u - \\hat u|_M \\le \\sqrt{2\\,(P(u) + D(x))}", "motion-bound");
+        document
+            .aside("The two minimizations, and the bound on the error of the motion", DERIVATION);
         document.table("cross_checks", table(checks));
         let failures = checks.iter().filter_map(|check| {
             let why = check.reference_failure.as_ref()?;

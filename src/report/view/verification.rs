@@ -2,7 +2,7 @@
 
 use super::{Headline, Outcome, ReportPage, View};
 use crate::document::unicode;
-use crate::number::{significant, tabular};
+use crate::number::{readable, significant, tabular};
 use crate::plot::{Axis, Bar, Bars, Figure};
 use crate::report::page::markup::literal;
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -47,15 +47,8 @@ impl View for Plan {
     fn outcome(&self, findings: &[Vec<Row>]) -> Outcome {
         let rows = || findings.iter().flatten();
         let (passed, all) = (rows().filter(|row| row.passes()).count(), rows().count());
-        let of_kind =
-            |kind: &str| rows().filter(|row| row.passes() && self::kind(row) == kind).count();
-        let by_order = rows().filter(|row| row.passes() && row.derived_order().is_some()).count();
-        let says = format!(
-            "{passed} of {all} numbers agree with their closed forms: {} up to rounding and the solver's tolerance, {by_order} \
-             converging at the derived order, {} within a bound fixed beforehand",
-            of_kind(EXACT),
-            of_kind(BOUNDED)
-        );
+        let kinds = kinds(&rows().collect::<Vec<_>>());
+        let says = format!("{passed} of {all} numbers agree with their closed forms: {kinds}");
         Outcome { good: passed == all, says }
     }
 }
@@ -69,7 +62,16 @@ fn answer(rows: &[&Row]) -> Option<String> {
     let all = rows.len();
     Some(match failed.len() {
         0 if all == 0 => return None,
-        0 => format!("**All {all} numbers agree with their closed forms.**"),
+        0 => format!(
+            "**All {all} numbers agree with their closed forms:** {}.{}",
+            kinds(rows),
+            closest(rows).map_or(String::new(), |(row, share)| format!(
+                " The largest error, relative to the allowed one, is {share} %: *{}* ({}), {}.",
+                literal(title(&row.case)),
+                literal(&row.method),
+                literal(&row.quantity)
+            ))
+        ),
         count => {
             let named = failed.iter().take(MOST_NAMED).map(|row| {
                 let Row { case, method, quantity, .. } = row;
@@ -89,6 +91,25 @@ fn answer(rows: &[&Row]) -> Option<String> {
             )
         }
     })
+}
+
+/// The number of passed rows of each kind.
+fn kinds(rows: &[&Row]) -> String {
+    let passed = || rows.iter().filter(|row| row.passes());
+    let of_kind = |kind: &str| passed().filter(|row| self::kind(row) == kind).count();
+    format!(
+        "{} up to rounding and the solver's tolerance, {} converging at the derived order, {} within a bound \
+         fixed beforehand",
+        of_kind(EXACT),
+        passed().filter(|row| row.derived_order().is_some()).count(),
+        of_kind(BOUNDED)
+    )
+}
+
+/// The row whose error is the largest part of the allowed one, and that part (%).
+fn closest<'a>(rows: &[&'a Row]) -> Option<(&'a Row, String)> {
+    let row = rows.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
+    Some((row, readable(100.0 * share(row), 2)))
 }
 
 /// The largest error over all time steps and the largest allowed one; for a derived order, how far
@@ -204,8 +225,8 @@ fn approximate(rows: &[Row]) -> Table {
             Cell::text(&row.quantity),
             Cell::number(largest_error(row), 2),
             Cell::number(*tolerance, 2),
-            Cell::text(unicode(&format!("${}$", row.formula))),
-            Cell::text(because),
+            typeset(&format!("${}$", row.formula)),
+            typeset(because),
         ]
     };
     Table::new(
@@ -252,14 +273,25 @@ fn dots(rows: &[Row]) -> Bars {
     };
     bars.sort_by(|a, b| b.value.total_cmp(&a.value));
     let passed = rows.iter().filter(|row| row.passes()).count();
+    let steps = rows.iter().map(|row| row.samples.len()).max().unwrap_or(0);
+    let title = match closest(&rows.iter().collect::<Vec<_>>()) {
+        Some((row, share)) if passed == rows.len() => {
+            let case = self::title(&row.case);
+            format!(
+                "No error is above {share} % of the allowed one; the largest is that of: {case}"
+            )
+        }
+        _ => format!("{passed} of {} numbers agree with their closed forms", rows.len()),
+    };
     Bars {
         id: "verification_dots".into(),
-        title: format!("{passed} of {} numbers agree with their closed forms", rows.len()),
+        title,
         caption: format!(
             "Each dot is one number. Its position is the error divided by the allowed error or, if theory \
                   gives an order, the difference between the observed and the derived order, divided by 0.1. \
                   Numbers left of the line pass. The number at the right is the largest of the case. Dots below \
-                  10⁻⁶ lie at the left edge{below}."
+                  10⁻⁶ lie at the left edge{below}. Numbers that depend on the time step are computed with {steps} steps, each \
+                  half the one before; with more of them the observed orders, and so the ratios, are others."
         ),
         x: Axis::log("error / allowed error", ""),
         bars,
@@ -338,6 +370,11 @@ fn tolerances(rows: &[Row]) -> String {
     lines.join("\n")
 }
 
+/// A cell whose formulas a page typesets.
+fn typeset(markup: &str) -> Cell {
+    Cell { markup: markup.into(), ..Cell::text(unicode(markup)) }
+}
+
 /// If 0 is expected, digits of a smaller number are meaningless.
 const NOISE: f64 = 1e-12;
 
@@ -389,6 +426,6 @@ fn cells(row: &Row) -> Vec<Cell> {
         allowed,
         observed,
         order.map_or(Cell::text(kind(row)), |order| Cell::number(order, 2)),
-        Cell::text(unicode(&format!("${}$", row.formula))),
+        typeset(&format!("${}$", row.formula)),
     ]
 }

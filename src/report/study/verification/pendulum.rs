@@ -84,7 +84,7 @@ pub(super) fn iftomm(size: Size) -> Result<Vec<Row>> {
     let place = "\\mathrm{sn},\\ k = \\sin 45°";
     let sampled = (
         2.5e-4,
-        "sampled once per step: the largest sample can be below the maximum by 3 m g (ω dt/2)²/2 at dt = 0.01 s",
+        r"sampled once per step: the largest sample can be below the maximum by $\frac{3}{2} m g (\omega\, dt/2)^2$ at dt = 0.01 s",
     );
     let mut rows = Vec::new();
     for (method, _, order) in [METHODS[2], METHODS[3]] {
