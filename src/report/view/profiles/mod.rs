@@ -14,6 +14,16 @@ use crate::report::study::profiles::{
 use crate::report::study::trial::{self, Attempt};
 use crate::solver::{Dantzig, Entry, Group, Registry};
 
+const PROFILE: &str = r"
+A performance profile (Dolan & Moré 2002) compares the solvers problem by problem. Let $t_{ps}$ be the cost of solver s on
+problem p, in multiplications, or ∞ if it did not solve it. Then
+
+$$r_{ps} = \frac{t_{ps}}{\min_s t_{ps}}, \qquad \rho_s(\tau) = \frac{|\{p \in P : r_{ps} \le \tau\}|}{|P|}$$
+
+One profile uses all problems $P$ that have a solution, the other only those that the solver attempted. The first one favors
+general solvers, the second one is fair to specialized solvers.
+";
+
 impl View for Plan {
     const TITLE: &'static str = "All solvers on all families";
 
@@ -23,23 +33,12 @@ impl View for Plan {
             return;
         }
         document.text(
-            "Every solver is run on every problem, at each precision, from $x = 0$. Problems that a solver \
-             declines are not counted as attempts. *Solved* means that the solver reports a solution and the \
-             judge accepts it. A performance profile compares the solvers problem by problem. Let $t_{ps}$ be \
-             the cost of solver s on problem p, or ∞ if it did not solve it. Then",
-        );
-        document.equation(
-            "r_{ps} = \\frac{t_{ps}}{\\min_s t_{ps}}, \\qquad \\rho_s(\\tau) = \\frac{|\\{p \\in P : \
-             r_{ps} \\le \\tau\\}|}{|P|}",
-            "Dolan & Moré 2002",
-        );
-        document.text(
-            "One profile uses all problems $P$ that have a solution, the other only those that the solver \
-             attempted. The first one favors general solvers, the second one is fair to specialized solvers. \
-             The cost is counted in multiplications, which do not depend on the speed of the machine.",
+            "Every solver is run on every problem, at each precision, from $x = 0$. *Solved* means that the solver \
+             reports a solution and the judge accepts it; problems that a solver declines are not counted as attempts.",
         );
         document.figure(self.by_work(tried, &solvers));
         document.text(self.words(tried, &solvers));
+        document.aside("What a performance profile is", PROFILE);
         document.table("profiles_cost", iteration_costs());
         document.table("profiles_solvers", self.by_solver(tried, &solvers));
         for (k, tolerance) in self.tolerances.iter().enumerate() {
@@ -105,19 +104,16 @@ impl Plan {
         ))
     }
 
-    /// By multiplications: for all problems at each tolerance, and at the last one for those that a
-    /// solver attempted.
+    /// By multiplications, at the last tolerance: for all problems, and for those that a solver
+    /// attempted.
     fn by_work(&self, tried: &[FamilyAttempts], solvers: &[String]) -> Profiles {
-        let mut columns = Vec::new();
-        for (k, precision) in self.tolerances.iter().enumerate() {
-            let costs = costs(tried, k);
-            let title = format!("{}, of all problems", tolerance(*precision));
-            columns.push((title, profiles(&of_all(&costs))));
-            if k + 1 == self.tolerances.len() {
-                let title = format!("{}, of attempted problems", tolerance(*precision));
-                columns.push((title, profiles(&costs)));
-            }
-        }
+        let last = self.tolerances.len().saturating_sub(1);
+        let costs = costs(tried, last);
+        let precision = self.tolerances.get(last).map_or(String::new(), |own| tolerance(*own));
+        let columns = vec![
+            (format!("{precision}, of all problems"), profiles(&of_all(&costs))),
+            (format!("{precision}, of attempted problems"), profiles(&costs)),
+        ];
         let caption = "A curve is the share of the problems that a solver solves within τ times the \
          cheapest solver's multiplications; the number of problems is in brackets, one for each column if \
          they differ. The left end shows how often the solver is the cheapest, the right end how often it \
