@@ -3,6 +3,7 @@
 
 use super::{ACCURATE, DEFAULTS, OWN};
 use crate::number::readable;
+use crate::report::page::{Cell, Table};
 use crate::report::study::cards::{Column, Engine, Phenomenon, Record};
 
 /// Possible uses, and the phenomena that each requires.
@@ -38,52 +39,43 @@ pub fn of(record: &Record) -> String {
     )
 }
 
-/// One paragraph per use.
-pub fn uses(record: &Record) -> String {
-    let begins = "For each use: the engines that obey all of the laws that matter for it, and the engine \
-                  that violates them most.";
-    let paragraphs = USES.iter().map(|(what, names)| paragraph(record, what, names));
-    std::iter::once(begins.to_string()).chain(paragraphs).collect::<Vec<_>>().join("\n\n")
+/// The engines that obey all laws that a use requires, and the largest violation.
+pub fn uses(record: &Record) -> Table {
+    let rows = USES.iter().map(|(what, names)| row(record, what, names)).collect();
+    Table::new(
+        "Which engine for which use",
+        "The engines that obey all of the laws that matter for a use, and the largest violation of one of them \
+         with default settings.",
+        "use | laws that matter | obeyed as installed by | with accurate settings by | largest violation as installed",
+        rows,
+    )
 }
 
-fn paragraph(record: &Record, what: &str, names: &[&str]) -> String {
+fn row(record: &Record, what: &str, names: &[&str]) -> Vec<Cell> {
     let rests_on: Vec<&Phenomenon> =
         record.phenomena.iter().filter(|own| names.contains(&own.name.as_str())).collect();
-    let keeping = |settings: &str| -> Vec<&str> {
+    let obeying = |settings: &str| {
         let others = record.engines.iter().filter(|engine| engine.name != OWN);
-        let keep = others.filter(|engine| {
+        let obey = others.filter(|engine| {
             rests_on
                 .iter()
                 .all(|own| column(own, &engine.name, settings).is_some_and(Column::holds))
         });
-        keep.map(|engine| engine.title.as_str()).collect()
+        let titles: Vec<&str> = obey.map(|engine| engine.title.as_str()).collect();
+        Cell::text(if titles.is_empty() { "none".into() } else { titles.join(", ") })
     };
-    let (installed, accurate) = (keeping(DEFAULTS), keeping(ACCURATE));
-    let tuned: Vec<_> = accurate.into_iter().filter(|own| !installed.contains(own)).collect();
+    let names = rests_on.iter().map(|own| words(&own.name)).collect::<Vec<_>>().join(", ");
     let links = rests_on.iter().map(|own| format!("[{}](#{})", words(&own.name), own.name));
-    let who = match (&installed[..], &tuned[..]) {
-        ([], []) => "no engine obeys all of these laws".into(),
-        ([], tuned) => {
-            format!(
-                "with default settings no engine obeys all of these laws; with accurate settings {}",
-                list(tuned)
-            )
-        }
-        (installed, []) => {
-            format!("with default settings {} obey all of these laws", list(installed))
-        }
-        (installed, tuned) => format!(
-            "with default settings {} obey all of these laws; with accurate settings also {}",
-            list(installed),
-            list(tuned)
-        ),
-    };
-    let misses: Vec<String> = rests_on.iter().filter_map(|own| farthest(record, own)).collect();
-    let farthest = match misses.is_empty() {
-        true => String::new(),
-        false => format!(" Largest violation with default settings: {}.", misses.join("; ")),
-    };
-    format!("**{what}** ({}): {who}.{farthest}", links.collect::<Vec<_>>().join(", "))
+    let markup = links.collect::<Vec<_>>().join(", ");
+    let worst = rests_on.iter().filter_map(|own| farthest(record, own));
+    let worst = worst.max_by(|a, b| a.0.total_cmp(&b.0)).map_or("none".into(), |(_, said)| said);
+    vec![
+        Cell::text(what),
+        Cell { markup, ..Cell::text(names) },
+        obeying(DEFAULTS),
+        obeying(ACCURATE),
+        Cell::text(worst),
+    ]
 }
 
 fn column<'a>(phenomenon: &'a Phenomenon, engine: &str, settings: &str) -> Option<&'a Column> {
@@ -94,16 +86,9 @@ fn words(name: &str) -> String {
     name.replace('_', " ")
 }
 
-fn list(names: &[&str]) -> String {
-    match names {
-        [most @ .., last] if !most.is_empty() => format!("{} and {last}", most.join(", ")),
-        names => names.concat(),
-    }
-}
-
-/// The external engine with the largest deviation from a law with default settings, with its number
-/// and the law's.
-fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<String> {
+/// The largest violation of a law with default settings, in tolerances, and that in words with its
+/// number and the law's.
+fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<(f64, String)> {
     let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
     let missed = installed.filter_map(|own| Some((own, own.worst().filter(|worst| !worst.holds)?)));
     let (column, worst) = missed.max_by(|a, b| a.1.miss().total_cmp(&b.1.miss()))?;
@@ -112,8 +97,8 @@ fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<String> {
         law => format!(", not {}", quantity(law, &worst.unit)),
     };
     let (engine, found) = (record.title(&column.engine), quantity(worst.value, &worst.unit));
-    let law_of = words(&phenomenon.name);
-    Some(format!("{law_of}, where {engine} {} {found}{law}", worst.what))
+    let said = format!("{}: {engine} {} {found}{law}", words(&phenomenon.name), worst.what);
+    Some((worst.miss(), said))
 }
 
 /// A number with its unit.

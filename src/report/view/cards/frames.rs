@@ -14,18 +14,44 @@ pub fn show(record: &Record, document: &mut ReportPage) {
         return;
     }
     document.open("frames", "Do engines solve their own contact problems?");
+    document.text(format!("**{}** {}", answers(record), causes(record)));
+    document.fold_rest();
     document.text(
-        "An engine can violate a law because of its contact problem or because of its solution of that \
-         problem. This section takes the problem of one step from each engine with default settings. The judge \
-         decides on the engine's own forces or impulses (*proved* means in exact arithmetic), and lcplab's \
-         solvers solve the same problem. If a law is violated although the answer is proved, the cause is the \
-         model: a compliant contact, a pyramid instead of a cone, or friction limited by an earlier force. If \
-         an answer is rejected, the law may still be obeyed; the table shows the error of the answer. \
-         Pinocchio has no contact model, so its solver is given lcplab's problem. Rapier does not report its \
-         problem, and DART reports none for a sleeping scene.",
+        "The problem of one step of each engine, with default settings: the judge decides on the engine's own \
+         forces or impulses, and lcplab's solvers solve the same problem. If a law is violated although the \
+         answer is proved, the cause is the model: a compliant contact, a pyramid instead of a cone, or \
+         friction limited by an earlier force. Pinocchio has no contact model, so its solver is given lcplab's \
+         problem. Rapier does not report its problem, and DART reports none for a sleeping scene.",
     );
-    document.text(causes(record));
     document.table("cards_frames", table(record));
+}
+
+/// The number of engines' answers that the judge accepts, and the engines with a rejected one.
+fn answers(record: &Record) -> String {
+    let mut rejected: Vec<(&str, usize)> = Vec::new();
+    for frame in record.frames.iter().filter(|frame| is_rejected(frame)) {
+        let engine = record.title(&frame.engine);
+        match rejected.iter_mut().find(|(own, _)| *own == engine) {
+            Some((_, count)) => *count += 1,
+            None => rejected.push((engine, 1)),
+        }
+    }
+    let all = record.frames.len();
+    let accepted = all - rejected.iter().map(|(_, count)| count).sum::<usize>();
+    let rejected = rejected.iter().map(|(engine, count)| format!("{count} of {engine}"));
+    let rejected = rejected.collect::<Vec<_>>().join(" and ");
+    match rejected.is_empty() {
+        true => {
+            format!("The judge accepts all {all} answers of the engines to their own problems.")
+        }
+        false => format!(
+            "The judge accepts {accepted} of {all} answers of the engines to their own problems and rejects {rejected}."
+        ),
+    }
+}
+
+fn is_rejected(frame: &Frame) -> bool {
+    frame.verdict == "not_a_solution"
 }
 
 /// Of the laws that engines violate: how many are the solver's, according to receipts of the runs.
@@ -39,11 +65,9 @@ fn causes(record: &Record) -> String {
         SolverPart::Checked { .. } => false,
     };
     format!(
-        "In {} runs an engine violates a law. lcplab took up to 25 steps of each run and checked \
-         the engine's answer: a *receipt* is the verification report of one step. In {} of these \
-         runs all checked answers are within the limit of their solver, so in these \
-         steps the solver is not the cause; in {} some are not; {} have no constraint rows, so no solver is involved; {} cannot \
-         be checked. The tables of the phenomena have the numbers.",
+        "In {} runs an engine violates a law; lcplab checked the answers of up to 25 steps of each (a *receipt* is the \
+         verification report of one step). In {} of these runs all answers are within the limit of their solver, so the \
+         solver is not the cause; in {} some are not; {} have no constraint rows; {} cannot be checked.",
         missed.len(),
         count(&|part| matches!(part, SolverPart::Checked { above: 0, .. })),
         count(&|part| matches!(part, SolverPart::Checked { above: 1.., .. })),
@@ -85,7 +109,7 @@ fn row(record: &Record, frame: &Frame) -> Vec<Cell> {
         (failing, solving) if failing > solving => format!("all but {}", others()),
         _ => failed.join(", "),
     };
-    let mark = if frame.verdict == "not_a_solution" { Mark::Bad } else { Mark::Good };
+    let mark = if is_rejected(frame) { Mark::Bad } else { Mark::Good };
     vec![
         Cell::text(record.title(&frame.engine)),
         Cell::text(frame.phenomenon.replace('_', " ")),

@@ -59,12 +59,12 @@ impl View for Plan {
 
     fn show(&self, findings: &[Record], document: &mut ReportPage) {
         for record in findings {
-            document.text(answer::uses(record));
+            document.table("cards_laws", laws(record));
+            document.fold_rest();
             document.text(
                 "To rerun a phenomenon on an installed engine: `python -m lcplab.cards --engine mujoco --phenomenon \
                  creep`. Each engine uses the time step of its settings.",
             );
-            document.fold_tables();
             for (name, id, words) in [
                 (DEFAULTS, "installed", "As installed"),
                 (ACCURATE, "accurate", "With settings for accuracy"),
@@ -84,7 +84,7 @@ impl View for Plan {
     fn headline(&self, findings: &[Record]) -> Headline {
         let Some(record) = findings.first() else { return Headline::default() };
         let figure: Box<dyn Figure> = Box::new(heat(record));
-        let table = Some(("cards_laws".into(), laws(record)));
+        let table = Some(("cards_uses".into(), answer::uses(record)));
         Headline { figure: Some(figure), table, ..Headline::of(Some(answer::of(record))) }
     }
 
@@ -164,9 +164,11 @@ fn heat(record: &Record) -> Grades {
             "As installed, the engines obey their law in {held} of {all} runs of {} laws",
             record.phenomena.len()
         ),
-        caption: "A number is the largest violation of the law in multiples of its tolerance, with k for thousands; ✗: the run \
-                  failed; –: the engine or its adapter does not support the scene."
-            .into(),
+        caption: format!(
+            "A number is the largest violation of the law in multiples of its tolerance, with k for thousands; ✗: the run \
+             failed; –: the engine or its adapter does not support the scene. Releases: {}.",
+            releases(record)
+        ),
         rows: record.phenomena.iter().map(row).collect(),
         groups: groups
             .iter()
@@ -175,6 +177,12 @@ fn heat(record: &Record) -> Grades {
             })
             .collect(),
     }
+}
+
+/// The tested releases of the external engines.
+fn releases(record: &Record) -> String {
+    let others = record.engines.iter().filter(|engine| engine.name != OWN);
+    others.map(|own| format!("{} {}", own.title, own.version)).collect::<Vec<_>>().join(", ")
 }
 
 fn grade(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Grade {

@@ -16,16 +16,16 @@ const VISIBLE: f64 = 0.02;
 /// Adds a section.
 pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage) {
     document.open(&phenomenon.name, &phenomenon.question);
-    document.fold_tables();
     document.text(&phenomenon.matters);
     document.equation(&phenomenon.law, "the law");
-    document.text(format!("**Allowed**: {}", phenomenon.allowed));
-    if !phenomenon.reported.is_empty() {
-        document.text(&phenomenon.reported);
-    }
     match figure(record, phenomenon) {
         Some(figure) => document.figure(figure),
         None => document.text(format!("{}.", title(record, phenomenon))),
+    }
+    document.fold_rest();
+    document.text(format!("**Allowed**: {}", phenomenon.allowed));
+    if !phenomenon.reported.is_empty() {
+        document.text(&phenomenon.reported);
     }
     document.table(&format!("cards_{}", phenomenon.name), table(record, phenomenon));
     let (language, text) = ("toml".into(), phenomenon.scene.clone());
@@ -48,7 +48,7 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Option<Lines> {
     let figure = Lines {
         id: format!("cards_{}", phenomenon.name),
         title: title(record, phenomenon),
-        caption: "The law (pale) and the engines that, as installed, visibly break it here. The table has all runs.".into(),
+        caption: "Pale: the law. Lines: the engines that visibly break it as installed.".into(),
         x: match phenomenon.log {
             true => Axis::log(&x.name, &x.unit),
             false => Axis::linear(&x.name, &x.unit),
