@@ -50,23 +50,30 @@ fn table(defects: &[Defect]) -> Table {
         let outcome = defect.outcome.strip_prefix("detected ").unwrap_or(&defect.outcome);
         vec![
             Cell::text(&defect.what),
+            Cell::text(format!("{} → {}", defect.bad.versions.join(", "), version(defect))),
             Cell::text(&defect.stage),
-            Cell::text(defect.bad.versions.join(", ")),
             rejected(&defect.bad),
-            Cell::text(defect.mended.versions.join(", ")),
             rejected(&defect.mended),
             Cell::text(outcome).marked(mark),
         ]
     });
-    let how = "The same scene runs in the defective and in the corrected release, and each step is \
-               checked with default arguments. The stage is the part of the step that was wrong: \
+    let how = "*releases*: the defective and the corrected one. The same scene runs in both, and each \
+               step is checked with default arguments; *before* and *after* are their rejected steps. The stage is the part of the step that was wrong: \
                collision (contacts and their geometry), assembly (the rows and matrices of the \
                problem), solver, or write-back (new velocities and reported forces). By \
                comparison: no step is rejected, but the errors are larger than in the run of the \
                corrected release.";
-    let headings = "what was wrong | stage | defective release | #steps rejected | \
-                    corrected release | #steps rejected | outcome";
+    let headings =
+        "what was wrong | releases | stage | #rejected before | #rejected after | outcome";
     Table::new("Known defects", how, headings, rows.collect())
+}
+
+/// The corrected releases, without the names that the defective ones have too.
+fn version(defect: &Defect) -> String {
+    let name = |release: &str| release.rsplit_once(' ').map(|(name, _)| format!("{name} "));
+    let bad = defect.bad.versions.first().and_then(|release| name(release)).unwrap_or_default();
+    let short = |release: &String| release.strip_prefix(&bad).unwrap_or(release).to_string();
+    defect.mended.versions.iter().map(short).collect::<Vec<_>>().join(", ")
 }
 
 /// What the first rejected step's receipt says, or the comparison.

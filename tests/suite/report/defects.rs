@@ -34,7 +34,7 @@ fn the_tables_show_the_words_of_the_record() {
         assert_eq!(says[2].text, defect.source);
         assert!(row.iter().chain(says).all(|cell| !cell.text.contains('\\')), "{row:?} {says:?}");
     }
-    assert_eq!(defects.rows[0][2].text, "MuJoCo 4.0.0");
+    assert_eq!(defects.rows[0][1].text, "MuJoCo 4.0.0 → 4.0.1");
     assert_eq!(defects.rows[0][3].text, "4 of 1,800");
     assert_eq!(receipts.rows[0][0].text, "MuJoCo 4.0.0");
 }
