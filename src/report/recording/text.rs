@@ -6,7 +6,7 @@ use super::energy_totals::EnergyTotals;
 use super::{NOT_ACCOUNTED, Record};
 use crate::body::{Body, State};
 use crate::lcp::friction::{Form, Law};
-use crate::number::readable;
+use crate::number::{counted, readable};
 use crate::scene::{Resting, Scene, Scheme};
 use crate::simulation::{Departure, Slip, momentum_sizes, unstable_springs};
 
@@ -27,6 +27,9 @@ const NOT_MEASURED: &str = "not measured";
 /// Smaller drifts and overlaps, relative to the scene's size, and smaller misalignments of joints
 /// (rad) are not reported.
 const DRIFT: f64 = 1e-3;
+
+/// A smaller length (m), or change of the energy relative to it, is rounding.
+const ROUNDING: f64 = 1e-12;
 
 impl Record {
     /// The totals and remarks as text.
@@ -73,6 +76,34 @@ impl Record {
             totals.push(("resting", most));
         }
         totals
+    }
+
+    /// The change of the energy, and the largest errors of joints and contacts, in a sentence.
+    pub(crate) fn finding(&self) -> String {
+        let end = self.last.energy() - self.first.energy();
+        let scale = self.first.energy().abs().max(self.last.energy().abs());
+        let energy = match end.abs() > ROUNDING * scale {
+            true => format!("the energy changes by {} J", readable(end, 3)),
+            false => "the energy stays the same".into(),
+        };
+        let error = |value: f64| match value <= ROUNDING {
+            true => "by 0".into(),
+            false => format!("by at most {} m", readable(value, 2)),
+        };
+        format!(
+            "In {} s {energy}, joints drift {} and bodies overlap {}",
+            readable(self.last.time, 4),
+            error(self.worst_drift),
+            error(self.worst_penetration)
+        )
+    }
+
+    /// The number and the length of the steps, the scheme and the solver.
+    pub(crate) fn run(&self) -> String {
+        let solver = self.solver().map_or_else(String::new, |solver| format!(", solver {solver}"));
+        let step = &self.scene.step;
+        let steps = counted(self.steps, "step");
+        format!("{steps} of {} s, scheme {}{solver}", readable(step.dt, 3), step.scheme.name())
     }
 
     /// What needs attention: notes, warnings, a rejected answer, and why the run ended early.

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::{Outcome, ReportPage, View};
 use crate::animation::Animation;
 use crate::body::{Body, State};
-use crate::number::{capitalized, count, counted, readable};
+use crate::number::{count, counted, readable};
 use crate::page::DrawnAnimation;
 use crate::report::page::{Block, Cell, Page, Player, Table, Tile, markup};
 use crate::report::recording::Record;
@@ -80,20 +80,9 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     document.page
 }
 
-/// The measures of the motion, and what was run.
+/// What happened to the energy and to the constraints, and what was run.
 fn lead(record: &Record) -> String {
-    let totals = record.totals();
-    let value = |wanted: &str| {
-        let value = totals.iter().find(|(name, _)| *name == wanted).map_or("", |(_, value)| value);
-        value.split([';', '\n']).next().unwrap_or_default().to_string()
-    };
-    let measured = ["energy", "drift", "penetration"].map(|name| format!("{name} {}", value(name)));
-    format!(
-        "**{}.** {} steps, scheme {}.",
-        markup::literal(&capitalized(&measured.join("; "))),
-        markup::literal(&value("steps")),
-        markup::literal(&value("scheme"))
-    )
+    format!("**{}.** {}.", record.finding(), markup::literal(&record.run()))
 }
 
 /// Whether to trust the run: the judge's verdicts, and what needs attention.
@@ -147,7 +136,10 @@ fn totals(record: &Record) -> Table {
         vec![Cell::text(name), Cell::text(format!("{first} {more}").trim_end())]
     };
     let rows = record.totals().into_iter().map(row).collect();
-    Table::new("The whole run", "", "total | value", rows)
+    let how = "*residual*: the largest scaled residual of an answer. *drift*: the largest error of a joint. *weight*: the \
+               part of it that contacts, joints and springs support. *laws*: the largest violations of those of contact and \
+               friction. *ledger*: the causes of the change of the energy.";
+    Table::new("Totals of the run", how, "measure | value", rows)
 }
 
 /// The files that `simulate` writes next to the page.
