@@ -38,6 +38,7 @@ pub use table::{Entry, row, table};
 pub use twin::{ARRAYS, ENGINE};
 
 use crate::chapter::exhibit;
+use crate::chapter::formula::typeset;
 use crate::error::{Error, Result};
 use crate::report::page::markup::literal;
 use template::Template;
@@ -142,7 +143,7 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
 /// An erratum as a quotation.
 fn note(id: &str) -> Option<String> {
     let exhibit = exhibit::named(id).ok()?;
-    let [printed, holds] = [&exhibit.printed, &exhibit.holds].map(|text| literal(text));
+    let [printed, holds] = [&exhibit.printed, &exhibit.holds].map(|text| typeset(text));
     Some(format!(
         "> **{}**, {}, {}. *Printed:* {printed} *Correct:* {holds}",
         exhibit.id,

@@ -94,6 +94,11 @@ impl Program {
     /// Adds paragraphs, and in a lesson the live pages to which they link; elsewhere the links
     /// suffice.
     fn add_paragraphs(&self, page: &mut Page, text: &str) {
+        if let Some((before, equation, after)) = numbered(text) {
+            self.add_paragraphs(page, before);
+            add(page, equation);
+            return self.add_paragraphs(page, after);
+        }
         if text.trim().is_empty() {
             return;
         }
@@ -102,6 +107,18 @@ impl Program {
         add(page, Block::Text(text));
         lives.into_iter().for_each(|live| add(page, Block::Live(live)));
     }
+}
+
+/// The first equation with a number in a line of its own above it, `**K&M (4)**`, and the text
+/// before and after it.
+fn numbered(text: &str) -> Option<(&str, Block, &str)> {
+    text.match_indices("**K&M ").find_map(|(at, _)| {
+        let (number, rest) = text[at..].strip_prefix("**")?.split_once("**")?;
+        let (latex, after) = rest.trim_start().strip_prefix("$$")?.split_once("$$")?;
+        let label = Some(number.replace(['(', ')'], ""));
+        let equation = Block::Equation { latex: latex.trim().into(), label };
+        Some((&text[..at], equation, after))
+    })
 }
 
 /// The text and the file of a line that is a drawing: `![words](drawings/name.svg)`.

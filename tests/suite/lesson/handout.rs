@@ -42,7 +42,7 @@ fn every_equation_is_stated_once_and_displayed() {
 #[test]
 fn every_figure_and_the_table_come_from_our_own_simulation() {
     for figure in 1..=13 {
-        let words = format!("**Figure {figure}, from our own simulation");
+        let words = format!("**K&M Figure {figure}, drawn again");
         assert_eq!(count_words(&words), 1, "Figure {figure}");
     }
     assert_eq!(count("**Table 1**"), 1);
