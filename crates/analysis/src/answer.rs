@@ -235,6 +235,9 @@ pub fn claim(
 fn how(refutation: &Refutation) -> String {
     match refutation {
         Refutation::Vector(_) => "proved by an exactly checked vector".to_string(),
+        Refutation::CaseSplit { pieces: 1 } => {
+            "proved in exact arithmetic by the bounds and the limits of friction".to_string()
+        }
         Refutation::CaseSplit { pieces } => {
             format!("proved in exact arithmetic for each of {pieces} active sets")
         }

@@ -24,9 +24,8 @@
 //! ```
 
 use super::polygon::judge_polygon;
-use super::{
-    Certificate, Demand, Evidence, Refutation, Verdict, judge, judge_cone, refuting_vector,
-};
+use super::refutation::without_cases;
+use super::{Certificate, Demand, Evidence, Refutation, Verdict, judge, judge_cone};
 use lcplab_lcp::friction::ProblemForm;
 
 /// The judge's result on x.
@@ -139,10 +138,10 @@ pub fn judge_friction(problem: &ProblemForm, x: &[f64], demand: &Demand) -> Fric
                 evidence: None,
             };
             let is_open = certificate.verdict == Verdict::WithinTolerance;
-            let farkas = (is_open && x.len() <= demand.prove_up_to)
-                .then(|| refuting_vector(&cone.friction().coupled_box(), &[x], demand.tolerance));
-            match farkas.flatten() {
-                Some(farkas) => certificate.refuted_by(Refutation::Vector(farkas)),
+            let found = (is_open && x.len() <= demand.prove_up_to)
+                .then(|| without_cases(&cone.friction().coupled_box(), &[x], demand.tolerance));
+            match found.flatten() {
+                Some(refutation) => certificate.refuted_by(refutation),
                 None => certificate,
             }
         }

@@ -112,16 +112,12 @@ pub fn checked(lcp: &Lcp, vector: &[f64]) -> Option<Farkas> {
     proof(lcp, &dual, &dual.repaired(vector, &[], &[])?)
 }
 
-/// The proof by these integers with their rows, which excludes all cases at once.
-///
-/// # Panics
-/// If it does not.
-pub(crate) fn whole_vector(lcp: &Lcp, entries: &[(usize, IBig)]) -> Farkas {
+/// The proof by these integers with their rows, which exclude all cases at once; `None` if they do
+/// so by the limits of friction, which this kind of proof does not use.
+pub(crate) fn whole_vector(lcp: &Lcp, entries: &[(usize, IBig)]) -> Option<Farkas> {
     let mut d = vec![Dyadic::ZERO; lcp.len()];
     entries.iter().for_each(|(i, entry)| d[*i] = whole(entry.clone()));
-    let transposed = transposed(lcp).expect("a matrix");
-    let proof = proof(lcp, &Exact::new(&transposed), &Point::new(d, Dyadic::ONE));
-    proof.expect("a vector of a case without sides")
+    proof(lcp, &Exact::new(&transposed(lcp)?), &Point::new(d, Dyadic::ONE))
 }
 
 /// The equations with the matrix Aᵀ and b = 0.

@@ -11,7 +11,7 @@
 //! joints are equal but for rounding, and have no exact solution. The tolerance 0 asks for any
 //! contradiction of the problem as it is written.
 
-use super::cases::{Search, Tree, search, search_within, single_vector};
+use super::cases::{Search, Tree, is_excluded, search, search_within};
 use super::ray::{Farkas, refute, whole_vector};
 use lcplab_lcp::Lcp;
 use lcplab_lcp::exact::Point;
@@ -84,10 +84,14 @@ pub fn refutation(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Option<Refutat
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn refuting_vector(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Option<Farkas> {
-    // The linear programs of clarabel do not use the limits of friction; the exact one does.
-    let exactly = std::iter::once_with(|| single_vector(lcp)).flatten();
-    let mut all = vectors(lcp, hints).chain(exactly.map(|d| whole_vector(lcp, &d)));
-    all.find(|farkas| farkas.is_significant(tolerance))
+    vectors(lcp, hints).find(|farkas| farkas.is_significant(tolerance))
+}
+
+/// Tries to prove it without cases, also by the limits of friction. Such a proof is valid for every
+/// friction model that keeps the friction x_t of a contact within ±μ x_n.
+pub(super) fn without_cases(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Option<Refutation> {
+    let by_vector = refuting_vector(lcp, hints, tolerance).map(Refutation::Vector);
+    by_vector.or_else(|| is_excluded(lcp, tolerance).then_some(Refutation::CaseSplit { pieces: 1 }))
 }
 
 /// The proofs by the hints and by a linear program, which is solved only if it is needed.
@@ -144,8 +148,12 @@ pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Existenc
             Some(Search::None(tree)) if lcp.scale() == 0.0 => {
                 return Existence::None(by_cases(tree));
             }
-            Some(Search::None(Tree::Leaf(d))) => Refutation::Vector(whole_vector(lcp, &d)),
-            Some(Search::None(tree)) => by_cases(tree),
+            Some(Search::None(tree)) => match &tree {
+                Tree::Leaf(d) => {
+                    whole_vector(lcp, d).map_or_else(|| by_cases(tree), Refutation::Vector)
+                }
+                Tree::Branch { .. } => by_cases(tree),
+            },
             Some(Search::Solution(point)) => return Existence::Solution(point),
             None => return Existence::Unknown,
         },

@@ -128,6 +128,12 @@ pub fn single_vector(lcp: &Lcp) -> Option<Vec<(usize, IBig)>> {
     Cases::new(lcp, 0.0).relaxed(&vec![None; lcp.len()]).err()
 }
 
+/// Whether no x has all its signs of w right within all bounds, if each w_i may have an error of
+/// tolerance · s_i · [scale](Lcp::scale); `false` if the problem has too many rows.
+pub(crate) fn is_excluded(lcp: &Lcp, tolerance: f64) -> bool {
+    lcp.len() <= MOST_ROWS && Cases::new(lcp, tolerance).relaxed(&vec![None; lcp.len()]).is_err()
+}
+
 struct Cases<'a> {
     lcp: &'a Lcp,
     exact: Exact,
