@@ -116,6 +116,29 @@ pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
     }
 }
 
+/// The exact solution that [`judge_cone`] finds near x, otherwise one at any distance.
+///
+/// ```
+/// use lcplab_judge::nearest_cone_proof;
+/// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
+/// use lcplab_lcp::{Lcp, Matrix};
+///
+/// // A unit mass is pressed with 2 N s and rests: x = (2, 0, 0).
+/// let a = Matrix::dense(3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
+/// let (lo, hi) = (vec![0.0, -f64::INFINITY, -f64::INFINITY], vec![f64::INFINITY; 3]);
+/// let lcp = Lcp::new(a, vec![-2.0, 0.0, 0.0], lo, hi)?;
+/// let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }])?;
+/// let problem = ConeProblem::new(problem, Law::Coulomb);
+/// let proof = nearest_cone_proof(&problem, &[1.0, 0.0, 0.0]).expect("a solution");
+/// assert_eq!(proof.distance(&[1.0, 0.0, 0.0]), 1.0);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
+pub fn nearest_cone_proof(problem: &ConeProblem, x: &[f64]) -> Option<ConeProof> {
+    let sizes = neighbor::sizes(problem.lcp(), problem.friction().contacts(), x);
+    let bounds = [Some(vec![near(x); x.len()]), Some(neighbor::rounding_of(&sizes)), None];
+    bounds.into_iter().find_map(|bounds| cone_proof(problem, x, bounds.as_deref()))
+}
+
 /// Judges x itself, without its rounded neighbor.
 fn judge_as_given(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCertificate {
     let contacts = problem.friction().contacts();

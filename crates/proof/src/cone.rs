@@ -2,7 +2,7 @@
 
 use dashu_int::IBig;
 
-use lcplab_judge::{ConeProof, Enclosure, RowState, cone_body_proof, cone_proof};
+use lcplab_judge::{ConeProof, Enclosure, RowState, cone_body_proof, nearest_cone_proof};
 use lcplab_lcp::exact::Point;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, whole};
 use lcplab_lcp::friction::ConeProblem;
@@ -107,7 +107,7 @@ pub fn search(
     vector: impl FnOnce(&[dashu_ratio::RBig]) -> Vector,
 ) -> Result<Claim, String> {
     is_possible(answer)?;
-    let proof = cone_proof(problem, answer, None)
+    let proof = nearest_cone_proof(problem, answer)
         .ok_or("no exact solution was found from the states of the contacts in the answer")?;
     let distance = proof.distance(answer);
     let near = distance.is_finite().then(|| Near { answer: answer.to_vec(), distance });

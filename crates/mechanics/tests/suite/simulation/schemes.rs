@@ -9,7 +9,7 @@ use lcplab_solver::{Options, Settings};
 use nalgebra::{DMatrix, Vector3};
 use rayon::prelude::*;
 
-use super::{assert_near, changed, scene, simulation};
+use super::{assert_near, scene, simulation};
 use lcplab_testing::Iterates;
 
 /// A ball that is 0.1 m deep in the ground, at rest without gravity.
