@@ -67,6 +67,7 @@ enum Role {
 /// assert_eq!(typeset("|b − A x| / |b| of K&M"), "$|b - A x| / |b|$ of K\\&M");
 /// assert_eq!(typeset("xₙ₊₁ = vₙ₊₁ + a dt"), "$x_{n+1} = v_{n+1} + a dt$");
 /// assert_eq!(typeset("a 6m × n matrix, J_ij"), "a $6m \\times  n$ matrix\\, $J_{ij}$");
+/// assert_eq!(typeset("J_ω ω"), "$J_{\\omega} \\omega$");
 /// ```
 pub fn typeset(text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
@@ -112,7 +113,7 @@ fn is_formula(words: &[&str]) -> bool {
         && !has_article
         && (has(Role::Formula) || (has(Role::Relation) && has(Role::Operand)))
         && depth(&text) == 0
-        && text.matches('|').count() % 2 == 0
+        && text.matches('|').count().is_multiple_of(2)
 }
 
 /// The number of open brackets; -1 if one is closed that was not opened.
@@ -177,8 +178,9 @@ fn latex(formula: &str) -> String {
                 after
             }
             ('_', _) => {
-                let end = after.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(after.len());
-                out += &format!("_{{{}}}", &after[..end]);
+                let is_index = |c: char| c.is_alphanumeric() && c != '½' && !is_special(c);
+                let end = after.find(|c: char| !is_index(c)).unwrap_or(after.len());
+                out += &format!("_{{{}}}", latex(&after[..end]).trim_end());
                 &after[end..]
             }
             (c, _) if is_special(c) => {
