@@ -542,7 +542,7 @@ def check(problem, proof):
     need(proof.get("problem") == problem.hash, "it is about another problem")
     is_leaf = kind == "no-solution" and type(proof["tree"]) is dict and set(proof["tree"]) == {"d"}
     is_region = kind in ("cone-solution", "body-solution")
-    of_cone = (is_region or kind == "solution") and problem.model in CONES or kind == "motion" and problem.model == "associated-cone"
+    of_cone = (is_region or kind in ("solution", "not-unique")) and problem.model in CONES or kind == "motion" and problem.model == "associated-cone"
     need(is_leaf or of_cone or problem.model in BOXES and not is_region, f"of {problem.model} this is no proof")
     answer = [number(v) for v in entries(proof["answer"], problem.n)] if "answer" in proof else None
     if kind == "no-solution":

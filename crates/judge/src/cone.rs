@@ -27,6 +27,7 @@
 //! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 
+mod another;
 mod definition;
 mod enclosure;
 mod inside;
@@ -36,6 +37,7 @@ mod redundant;
 mod state;
 mod system;
 
+pub use another::another_cone_solution;
 pub use enclosure::Enclosure;
 pub use proof::{ConeProof, cone_body_proof, cone_proof};
 pub use redundant::Dependence;

@@ -51,8 +51,8 @@ mod verdict;
 
 pub use certificate::{Certificate, Evidence};
 pub use cone::{
-    ConeCertificate, ConeProof, Dependence, Enclosure, RowState, cone_body_proof, cone_proof,
-    judge_cone, nearest_cone_proof,
+    ConeCertificate, ConeProof, Dependence, Enclosure, RowState, another_cone_solution,
+    cone_body_proof, cone_proof, judge_cone, nearest_cone_proof,
 };
 pub use friction::{FrictionCertificate, judge_friction};
 pub use refutation::{Refutation, refutation, refuted_by, refuting_vector};

@@ -55,6 +55,7 @@ pub fn check(question: &Question, proof: &Proof) -> Result<(), String> {
             (
                 ProblemForm::Cone(problem),
                 claim @ (Claim::Solution { .. }
+                | Claim::NotUnique { .. }
                 | Claim::ConeSolution { .. }
                 | Claim::BodySolution { .. }
                 | Claim::Motion(_)),
@@ -76,6 +77,12 @@ fn of_cones(
             let point = point(rows, x)?;
             ConeProof::Point(point.clone()).check(problem)?;
             near.as_ref().map_or(Ok(()), |near| is_near(&point, near))
+        }
+        Claim::NotUnique { x, y } => {
+            let (x, y) = (point(rows, x)?, point(rows, y)?);
+            ConeProof::Point(x.clone()).check(problem)?;
+            ConeProof::Point(y.clone()).check(problem)?;
+            are_different(&x, &y)
         }
         Claim::ConeSolution { region, near } => {
             cone::check(problem, rows, None, region, near.as_ref())
@@ -103,11 +110,7 @@ fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), Stri
         }
         Claim::NotUnique { x, y } => {
             let (x, y) = (solution(lcp, x)?, solution(lcp, y)?);
-            let is_same = |i| x.scaled(i) * y.denominator() == y.scaled(i) * x.denominator();
-            match (0..lcp.len()).all(is_same) {
-                true => Err("the two solutions are the same".into()),
-                false => Ok(()),
-            }
+            are_different(&x, &y)
         }
         Claim::NoSolution { tree } => cases::check(lcp, tree),
         Claim::Motion(_) if lcp.has_coupled_rows() => Err("rows are coupled".into()),
@@ -126,6 +129,14 @@ fn of_boxes(lcp: &Lcp, bodies: Option<&Gauss>, claim: &Claim) -> Result<(), Stri
                 None => Err("the scaled residual is not finite".into()),
             }
         }
+    }
+}
+
+fn are_different(x: &Point, y: &Point) -> Result<(), String> {
+    let is_same = |i| x.scaled(i) * y.denominator() == y.scaled(i) * x.denominator();
+    match (0..x.len()).all(is_same) {
+        true => Err("the two solutions are the same".into()),
+        false => Ok(()),
     }
 }
 

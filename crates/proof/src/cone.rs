@@ -1,8 +1,11 @@
 //! Proofs about problems with friction cones: a rational solution, or a box that contains one.
 
 use dashu_int::IBig;
+use dashu_ratio::RBig;
 
-use lcplab_judge::{ConeProof, Enclosure, RowState, cone_body_proof, nearest_cone_proof};
+use lcplab_judge::{
+    ConeProof, Enclosure, RowState, another_cone_solution, cone_body_proof, nearest_cone_proof,
+};
 use lcplab_lcp::exact::Point;
 use lcplab_lcp::exact::dyadic::{Dyadic, dyadic, whole};
 use lcplab_lcp::friction::ConeProblem;
@@ -11,6 +14,7 @@ use lcplab_lcp::{Gauss, Lcp};
 use crate::check::point;
 use crate::claim::{Claim, Entry, Kind, Near, Region, Vector};
 use crate::motion::NO_BODIES;
+use crate::prove::is_near;
 
 /// With more rows no solution is searched for: its test takes minutes.
 const MOST_ROWS: usize = 200;
@@ -104,7 +108,7 @@ pub fn search(
     problem: &ConeProblem,
     answer: &[f64],
     kind: Kind,
-    vector: impl FnOnce(&[dashu_ratio::RBig]) -> Vector,
+    vector: impl FnOnce(&[RBig]) -> Vector,
 ) -> Result<Claim, String> {
     is_possible(answer)?;
     let proof = nearest_cone_proof(problem, answer)
@@ -124,6 +128,56 @@ pub fn search(
         (_, ConeProof::Point(_)) => {
             Err("the solution is rational: the kind solution proves it".into())
         }
+    }
+}
+
+/// A claim of the kind `not-unique`: the solution next to the answer, and another one.
+///
+/// # Errors
+/// Why there is none.
+pub fn second(
+    problem: &ConeProblem,
+    answer: &[f64],
+    vector: impl Fn(&[RBig]) -> Vector,
+) -> Result<Claim, String> {
+    let (x, _) = rational(problem, answer, "the")?;
+    let y = another_cone_solution(problem, &x)
+        .ok_or("no other way was found in which the contacts can share their loads")?;
+    Ok(Claim::NotUnique { x: vector(&x.entries()), y: vector(&y.entries()) })
+}
+
+/// A claim of the kind `not-unique`: the solutions next to two answers.
+///
+/// # Errors
+/// Why there is none.
+pub fn different(
+    problem: &ConeProblem,
+    [first, second]: [&[f64]; 2],
+    vector: impl Fn(&[RBig]) -> Vector,
+) -> Result<Claim, String> {
+    let near = |answer, which| {
+        let (x, distance) = rational(problem, answer, which)?;
+        is_near(answer, distance, which).map(|()| vector(&x.entries()))
+    };
+    let (x, y) = (near(first, "the first")?, near(second, "the second")?);
+    match x == y {
+        true => Err("both answers lie next to the same exact solution".into()),
+        false => Ok(Claim::NotUnique { x, y }),
+    }
+}
+
+/// The rational solution next to an answer, and its distance.
+fn rational(problem: &ConeProblem, answer: &[f64], which: &str) -> Result<(Point, f64), String> {
+    is_possible(answer)?;
+    match nearest_cone_proof(problem, answer) {
+        Some(ConeProof::Point(x)) => {
+            let distance = x.distance(answer);
+            Ok((x, distance))
+        }
+        Some(ConeProof::Enclosure(_)) => {
+            Err(format!("contacts slide in {which} answer, so that its solution is not rational"))
+        }
+        None => Err(format!("no exact solution was found next to {which} answer")),
     }
 }
 

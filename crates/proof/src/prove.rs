@@ -60,7 +60,7 @@ impl ProofSearch {
 
 /// Searches for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `motion`,
 /// `within`, in this order, starting from the answer. Under a polygon only `no-solution` is
-/// possible, by a vector that proves it for every model; under a cone also `solution`,
+/// possible, by a vector that proves it for every model; under a cone also `not-unique`, `solution`,
 /// `cone-solution` and `body-solution`.
 ///
 /// ```
@@ -139,9 +139,12 @@ pub fn prove_kind(question: &Question, answer: &[f64], kind: Kind) -> ProofSearc
 pub fn prove_different(question: &Question, first: &[f64], second: &[f64]) -> ProofSearch {
     let prover = Prover::new(question, first);
     assert_eq!(second.len(), first.len(), "an answer needs one entry per row");
-    let claim = match question.boxed() {
-        Some(lcp) => different(lcp, first, second),
-        None => Err(about_boxes(Kind::NotUnique, model(question))),
+    let claim = match (question.boxed(), question.posed()) {
+        (Some(lcp), _) => different(lcp, first, second),
+        (None, ProblemForm::Cone(problem)) => {
+            cone::different(problem, [first, second], |x| vector(rows(question), x))
+        }
+        (None, _) => Err(about_boxes(Kind::NotUnique, model(question))),
     };
     match claim.and_then(|claim| prover.checked(claim)) {
         Ok(proof) => ProofSearch { proof: Some(proof), missing: Vec::new() },
@@ -165,14 +168,20 @@ fn given_solution(lcp: &Lcp, answer: &[f64], which: &str) -> Result<Vec<RBig>, S
     }
     let exact::Proof { x, distance, .. } = exact::prove(lcp, answer)
         .ok_or(format!("the {which} answer has no exact solution on its active set"))?;
+    is_near(answer, distance, &format!("the {which}"))?;
+    Ok(x)
+}
+
+/// Whether an answer is so near to its exact solution that it stands for it.
+pub(crate) fn is_near(answer: &[f64], distance: f64, which: &str) -> Result<(), String> {
     let size = answer.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     if distance > MOST_APART * size {
         let distance = readable(distance, 3);
         return Err(format!(
-            "the {which} answer is {distance} away from the exact solution on its active set"
+            "{which} answer is {distance} away from the exact solution on its active set"
         ));
     }
-    Ok(x)
+    Ok(())
 }
 
 /// An exact solution, and a direction in which it can move if one was found.
@@ -206,6 +215,9 @@ impl<'a> Prover<'a> {
             None => match (self.question.posed(), kind) {
                 (ProblemForm::Cone(problem), Kind::Solution | Kind::ConeSolution) => {
                     cone::search(problem, self.answer, kind, |x| vector(rows(self.question), x))?
+                }
+                (ProblemForm::Cone(problem), Kind::NotUnique) => {
+                    cone::second(problem, self.answer, |x| vector(rows(self.question), x))?
                 }
                 (ProblemForm::Cone(problem), Kind::BodySolution) => {
                     let bodies = self.question.problem().motion.as_ref();

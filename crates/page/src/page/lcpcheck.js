@@ -730,7 +730,7 @@ const lcpcheck = (() => {
     const answer = has(proof, "answer") ? list(proof.answer, p.n).map(number) : null;
     const isLeaf = proof.kind === "no-solution" && hasKeys(proof.tree, ["d"]);
     const isRegion = ["cone-solution", "body-solution"].includes(proof.kind);
-    const isOfCone = (isRegion || proof.kind === "solution") && CONES.includes(model)
+    const isOfCone = (isRegion || ["solution", "not-unique"].includes(proof.kind)) && CONES.includes(model)
       || proof.kind === "motion" && model === "associated-cone";
     need(isLeaf || isOfCone || (BOXES.includes(model) && !isRegion), `of ${model} this is no proof`);
     const under = has(proof, "model") ? `, under the friction model ${model}` : "";

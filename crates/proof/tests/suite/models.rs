@@ -3,7 +3,9 @@
 use lcplab_lcp::file::Problem;
 use lcplab_lcp::friction::Model;
 use lcplab_lcp::{Coupling, Lcp, Matrix, Question};
-use lcplab_proof::{Claim, Kind, Proof, Tree, canonical_bytes, check, hash, prove, prove_kind};
+use lcplab_proof::{
+    Claim, Kind, Proof, Tree, canonical_bytes, check, hash, prove, prove_different, prove_kind,
+};
 use oorandom::Rand64;
 
 use super::{INF, problem, question};
@@ -37,6 +39,25 @@ fn pushed() -> Problem {
     contacts(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], &[-2.0, -3.0, -3.0], 0.5)
 }
 
+/// A ball on the same contact twice; all that counts are the sums of the shares.
+#[test]
+fn shares_of_a_load_under_a_cone_are_not_unique() {
+    let a: Vec<f64> = (0..36).map(|k| f64::from(k / 6 % 3 == k % 6 % 3)).collect();
+    let twice = contacts(&a, &[-2.0, -0.5, 0.0, -2.0, -0.5, 0.0], 0.5);
+    for model in [Model::AssociatedCone, Model::CoulombCone] {
+        let asked = under(model, &twice);
+        let x = [1.0, 0.25, 0.0, 1.0, 0.25, 0.0];
+        let proof = prove(&asked, &x).proof.unwrap();
+        let Claim::NotUnique { .. } = proof.claim else { panic!("{model}: {:?}", proof.claim) };
+        assert_eq!(check(&asked, &proof), Ok(()));
+        let other = [1.5, 0.5, 0.0, 0.5, 0.0, 0.0];
+        let proof = prove_different(&asked, &x, &other).proof.unwrap();
+        assert_eq!(check(&asked, &proof), Ok(()));
+        let wrong = [1.75, 0.25, 0.0, 0.25, 0.25, 0.0]; // more friction than the second one allows
+        assert!(prove_different(&asked, &x, &wrong).proof.is_none());
+    }
+}
+
 #[test]
 fn the_boxs_answer_is_never_proved_of_another_model() {
     let boxed = prove(&question(&pushed()), &[2.0, 1.0, 1.0]).proof.unwrap();
@@ -68,6 +89,9 @@ fn the_boxs_answer_is_never_proved_of_another_model() {
                 }
                 Kind::Motion if is_cone => assert!(reason.contains("unique"), "{reason}"),
                 Kind::Solution if is_cone => assert!(reason.contains("no rational"), "{reason}"),
+                Kind::NotUnique if is_cone => {
+                    assert!(reason.contains("not rational"), "{reason}")
+                }
                 _ => assert!(
                     reason.contains(&model.to_string()) && reason.contains("boxes"),
                     "{reason}"
