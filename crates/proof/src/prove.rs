@@ -60,8 +60,8 @@ impl ProofSearch {
 
 /// Searches for the strongest proof: `no-solution`, `unique`, `not-unique`, `solution`, `motion`,
 /// `within`, in this order, starting from the answer. Under a polygon only `no-solution` is
-/// possible, by a vector that proves it for every model; under a cone also `not-unique`, `solution`,
-/// `cone-solution` and `body-solution`.
+/// possible, by a vector that proves it for every model; under a cone also `not-unique`,
+/// `solution`, `cone-solution` and `body-solution`.
 ///
 /// ```
 /// use lcplab_lcp::file::Problem;
