@@ -136,9 +136,12 @@ pub fn judge_cone(problem: &ConeProblem, x: &[f64], demand: &Demand) -> ConeCert
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 pub fn nearest_cone_proof(problem: &ConeProblem, x: &[f64]) -> Option<ConeProof> {
-    let sizes = neighbor::sizes(problem.lcp(), problem.friction().contacts(), x);
-    let bounds = [Some(vec![near(x); x.len()]), Some(neighbor::rounding_of(&sizes)), None];
-    bounds.into_iter().find_map(|bounds| cone_proof(problem, x, bounds.as_deref()))
+    let (lcp, contacts) = (problem.lcp(), problem.friction().contacts());
+    let (near, sizes) = (vec![near(x); x.len()], neighbor::sizes(lcp, contacts, x));
+    cone_proof(problem, x, Some(&near))
+        .or_else(|| cone_proof(problem, x, Some(&neighbor::rounding_of(&sizes))))
+        .or_else(|| cone_proof(problem, &neighbor::rounded(lcp, contacts, x)?, Some(&near)))
+        .or_else(|| cone_proof(problem, x, None))
 }
 
 /// Judges x itself, without its rounded neighbor.
