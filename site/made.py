@@ -29,7 +29,7 @@ LIVE = {
     "two_rows": "Change A and b, and follow six methods in the plane of x.",
     "stack": "Change masses, step through rows, sweeps and pivots, and simulate two seconds.",
     "friction": "Drag the push, and compare the friction of the square, the polygon and the disk.",
-    "cone_proof": "How a box around x proves that an exact contact impulse exists, or why it does not.",
+    "cone_proof": "How a box around a contact impulse shows that an exact impulse is in it, or why it does not.",
     "painleve": "Painlevé's paradox: a sliding rod for which one, no or two contact forces exist.",
     "problem": "Enter a problem of up to 60 rows, solve it, and check or prove any answer x.",
 }

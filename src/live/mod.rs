@@ -66,8 +66,8 @@ pub const PAGES: [Page; 6] = [
     ),
     page!(
         "cone_proof",
-        "A contact proved by a box",
-        "a contact proved by a box: the friction disk, a box around x, and its images, which shrink to the solution"
+        "A box that shrinks",
+        "a box that shrinks: the friction disk, a box around x, and its images, which close in on the exact impulse"
     ),
     page!(
         "painleve",
