@@ -137,8 +137,8 @@ pub fn judge_friction(problem: &ProblemForm, x: &[f64], demand: &Demand) -> Fric
                 rounded_by: certificate.rounded_by,
                 evidence: None,
             };
-            let is_open = certificate.verdict == Verdict::WithinTolerance;
-            let found = (is_open && x.len() <= demand.prove_up_to)
+            let is_unproved = certificate.verdict == Verdict::WithinTolerance;
+            let found = (is_unproved && x.len() <= demand.prove_up_to)
                 .then(|| without_cases(&cone.friction().coupled_box(), &[x], demand.tolerance));
             match found.flatten() {
                 Some(refutation) => certificate.refuted_by(refutation),

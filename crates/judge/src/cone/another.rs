@@ -36,8 +36,10 @@ pub fn another_cone_solution(problem: &ConeProblem, x: &Point) -> Option<Point> 
     let n = exact.len();
     let sides: Vec<Side> = (0..n).map(|i| side(&exact, x, i)).collect::<Option<_>>()?;
     let near: Vec<f64> = x.entries().iter().map(|x| x.to_f64().value()).collect();
-    let (_, direction) = exact.point(&sides, &near)?;
-    let direction = direction?;
+    if near.iter().any(|x| x.is_infinite()) {
+        return None;
+    }
+    let direction = exact.point(&sides, &near)?.1?;
     let longest = |point: &Point| (0..n).filter_map(|i| exponent(point.scaled(i))).max();
     let size = |point: &Point| Some(longest(point)? - exponent(point.denominator())?);
     let first = size(x)? - size(&direction)?;

@@ -1,7 +1,7 @@
 //! Verification against closed-form solutions, with decreasing step lengths.
 //!
 //! A row names a scene, the method of stepping, a quantity and its closed form. It is measured with
-//! dt, dt/2, dt/4 and dt/8. A quantity that depends on the step length must converge with the order
+//! dt, dt/2, dt/4 and dt/8, or with the first two if nothing depends on the step length. A quantity that depends on the step length must converge with the order
 //! that theory gives for this quantity and method,
 //!
 //! ```text
