@@ -51,6 +51,9 @@ impl Enclosure {
     /// # Errors
     /// If a row cannot have its state, or if F' is singular at the center of a box.
     ///
+    /// # Panics
+    /// If x or the half-width is not finite.
+    ///
     /// ```
     /// use lcplab_judge::{Enclosure, RowState};
     /// use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law};
