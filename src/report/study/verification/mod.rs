@@ -1,15 +1,15 @@
 //! Verification against closed-form solutions, with decreasing step lengths.
 //!
 //! A row names a scene, the method of stepping, a quantity and its closed form. It is measured with
-//! dt, dt/2, dt/4 and dt/8, or with the first two if nothing depends on the step length. A quantity that depends on the step length must converge with the order
-//! that theory gives for this quantity and method,
+//! dt, dt/2, dt/4 and dt/8, or with the first two if it does not depend on the step length. A
+//! quantity that does must converge with the order that theory gives for it and the method,
 //!
 //! ```text
 //! observed order = log2(|error(2h)| / |error(h)|),   within 0.1 of the derived one
 //! ```
 //!
 //! which no wrong constant can pass: an error that remains has order 0. A quantity that does not
-//! depend on it must be right at every step length, within a tolerance with a stated reason. Cases
+//! must be right at every step length, within a tolerance with a stated reason. Cases
 //! are one file per group.
 
 mod bricard;
