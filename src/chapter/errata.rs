@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::exhibit::{self, Exhibit};
-use crate::document::{Block, Document, Section, Table};
+use crate::document::{Block, Document, Section, Table, unicode};
 use crate::error::Result;
 
 /// An erratum and the result of its example.
@@ -72,7 +72,7 @@ impl ErratumResult {
         let Exhibit { id, title, place, severity, printed, holds, why, .. } = self.exhibit;
         json!({
             "id": id, "title": title, "place": place, "severity": severity.word(),
-            "example": self.word(), "printed": printed, "holds": holds, "why": why,
+            "example": self.word(), "printed": unicode(printed), "holds": unicode(holds), "why": why,
         })
     }
 }

@@ -4,7 +4,6 @@
 //! claims, with its verdict. [`code`] has the listings as printed, running, each next to its
 //! corrected form. [`exhibit`] has the errata: the printed statement, the correct one, and a
 //! smallest example that distinguishes them, run when it is opened; [`errata`] lists them.
-//! [`formula`] typesets the formulas in their texts.
 //! [`glossary`] has the terms of `docs/glossary.md`, [`references`] the literature. The other texts
 //! are the TOML files of this folder. No other part of the library uses the printed statements.
 //!
@@ -39,7 +38,6 @@ pub mod code;
 mod data;
 pub mod errata;
 pub mod exhibit;
-pub mod formula;
 pub mod glossary;
 pub mod inventory;
 pub mod references;

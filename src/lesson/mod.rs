@@ -38,7 +38,6 @@ pub use table::{Entry, row, table};
 pub use twin::{ARRAYS, ENGINE};
 
 use crate::chapter::exhibit;
-use crate::chapter::formula::typeset;
 use crate::error::{Error, Result};
 use crate::report::page::markup::literal;
 use template::Template;
@@ -143,11 +142,12 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
 /// An erratum as a quotation.
 fn note(id: &str) -> Option<String> {
     let exhibit = exhibit::named(id).ok()?;
-    let [printed, holds] = [&exhibit.printed, &exhibit.holds].map(|text| typeset(text));
     Some(format!(
-        "> **{}**, {}, {}. *Printed:* {printed} *Correct:* {holds}",
+        "> **{}**, {}, {}. *Printed:* {} *Correct:* {}",
         exhibit.id,
         literal(&exhibit.place),
         exhibit.severity.word(),
+        exhibit.printed,
+        exhibit.holds,
     ))
 }

@@ -89,10 +89,10 @@ pub struct Exhibit {
     /// Whether the fault may come from the scan of the text.
     #[serde(default)]
     pub may_be_scan: bool,
-    /// What is printed, in our own words; plain text.
+    /// What is printed, in our own words; its formulas are LaTeX.
     #[serde(deserialize_with = "one_line")]
     pub printed: String,
-    /// The correct statement; plain text.
+    /// The correct statement; its formulas are LaTeX.
     #[serde(deserialize_with = "one_line")]
     pub holds: String,
     /// The reason, in a few sentences for a student; plain text.

@@ -3,7 +3,7 @@
 use super::Exhibit;
 use super::finding::{Finding, Measure, Outcome};
 use crate::document::notation::{plain, vector};
-use crate::document::{Block, Document, Section};
+use crate::document::{Block, Document, Section, unicode};
 use crate::error::Result;
 use crate::judge::Verdict;
 use crate::number::readable;
@@ -23,11 +23,11 @@ impl Exhibit {
             lead: self.lead(),
             ..Document::default()
         };
-        for (title, words) in
-            [("Printed", &self.printed), ("Correct", &self.holds), ("Why", &self.why)]
+        let [printed, holds] = [&self.printed, &self.holds].map(|text| unicode(text));
+        for (title, words) in [("Printed", printed), ("Correct", holds), ("Why", self.why.clone())]
         {
             let mut section = Section::new(title);
-            section.say(words.as_str());
+            section.say(words);
             document.add("", section);
         }
         document.add("", self.evidence(finding.as_ref()));

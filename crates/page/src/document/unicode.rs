@@ -2,15 +2,17 @@
 //! becomes `½ xᵀ A x`.
 
 /// The symbols of commands.
-const SYMBOLS: [(&str, &str); 30] = [
+const SYMBOLS: [(&str, &str); 32] = [
     ("cdot", "·"),
     ("times", "×"),
+    ("otimes", "⊗"),
     ("ge", "≥"),
     ("le", "≤"),
     ("pm", "±"),
     ("leftarrow", "←"),
     ("to", "→"),
     ("sum", "Σ"),
+    ("partial", "∂"),
     ("infty", "∞"),
     ("dots", "…"),
     ("ldots", "…"),
@@ -34,7 +36,7 @@ const SYMBOLS: [(&str, &str); 30] = [
     ("omega", "ω"),
     ("Omega", "Ω"),
 ];
-const RAISED: (&str, &str) = ("0123456789+-nkTij*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿᵏᵀⁱʲ*");
+const RAISED: (&str, &str) = ("0123456789+-()nkTij*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ⁿᵏᵀⁱʲ*");
 const LOWERED: (&str, &str) = ("0123456789+-nktij", "₀₁₂₃₄₅₆₇₈₉₊₋ₙₖₜᵢⱼ");
 const HALVES: [(&str, &str); 6] =
     [("1/2", "½"), ("1/3", "⅓"), ("2/3", "⅔"), ("1/4", "¼"), ("3/4", "¾"), ("1/8", "⅛")];
@@ -172,8 +174,6 @@ fn moved(text: &str, (plain, other): (&str, &str), sign: char) -> String {
     let place = |c: char| plain.chars().position(|own| own == c);
     let all: Option<String> =
         text.chars().map(|c| place(c).and_then(|at| other.chars().nth(at))).collect();
-    all.unwrap_or_else(|| match text.chars().count() {
-        1 => format!("{sign}{text}"),
-        _ => format!("{sign}({text})"),
-    })
+    let is_word = text.chars().all(char::is_alphabetic);
+    all.unwrap_or_else(|| if is_word { format!("{sign}{text}") } else { format!("{sign}({text})") })
 }
