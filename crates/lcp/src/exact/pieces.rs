@@ -42,6 +42,8 @@ pub struct Pieces {
     choices: Vec<Vec<Side>>,
     /// Free rows whose column of A depends on those of other free rows; their x is set to 0.
     dependent: Vec<usize>,
+    /// A row whose w must be zero although its x is fixed.
+    level: Option<usize>,
     count: usize,
 }
 
@@ -56,12 +58,17 @@ impl Pieces {
         let exact = Exact::new(lcp);
         let choices: Vec<Vec<Side>> = (0..lcp.len()).map(|i| exact.sides(i).to_vec()).collect();
         let count = choices.iter().try_fold(1usize, |n, sides| n.checked_mul(sides.len()))?;
-        let mut pieces = Pieces { exact, choices, dependent: Vec::new(), count };
+        let mut pieces = Pieces { exact, choices, dependent: Vec::new(), level: None, count };
         if count > most {
             return None;
         }
         pieces.dependent = pieces.dependent_rows();
         Some(pieces)
+    }
+
+    /// The same pieces without the solutions in which w of this row, whose x is fixed, is not zero.
+    pub(super) fn with_level(self, row: usize) -> Self {
+        Pieces { level: Some(row), ..self }
     }
 
     /// The number of pieces.
@@ -107,8 +114,11 @@ impl Pieces {
         let unknowns: Vec<usize> =
             free.iter().copied().filter(|i| !self.dependent.contains(i)).collect();
         let places = self.exact.places(sides, &unknowns, &|_| Dyadic::ZERO);
-        let is_solution = |x: &Point| self.exact.is_solved_by(x);
-        let open = match self.system(&free, &places, unknowns.len()) {
+        let is_level =
+            |x: &Point| self.level.is_none_or(|i| self.exact.scaled_w(i, x) == Dyadic::ZERO);
+        let is_solution = |x: &Point| self.exact.is_solved_by(x) && is_level(x);
+        let level: Vec<usize> = free.iter().copied().chain(self.level).collect();
+        let open = match self.system(&level, &places, unknowns.len()) {
             System::None => return Vec::new(),
             System::One(x, d) => {
                 return Some(Point::of(&places, x, d)).filter(is_solution).into_iter().collect();
@@ -118,7 +128,7 @@ impl Pieces {
         let bound: Vec<usize> =
             bound.into_iter().filter(|&i| self.exact.sides(i).len() > 1).collect();
         let corner = |more: Vec<usize>| match self.system(
-            &[&free[..], &more].concat(),
+            &[&level[..], &more].concat(),
             &places,
             unknowns.len(),
         ) {

@@ -101,7 +101,7 @@ impl SolutionSet {
     /// If there are too many pieces or too many corners.
     pub fn of(lcp: &Lcp) -> Result<Self, TooMany> {
         let exact = Exact::new(lcp);
-        let corners = points(lcp)?;
+        let corners = points(&pieces(lcp)?, lcp)?;
         let (cone, rays) = rays(lcp)?;
         let (faces, rays) = with_corners(faces(&exact, &cone, &corners, &rays), rays);
         let entries = |points: &[Point]| points.iter().map(Point::entries).collect();
@@ -114,9 +114,12 @@ impl SolutionSet {
     }
 }
 
+fn pieces(lcp: &Lcp) -> Result<Pieces, TooMany> {
+    Pieces::at_most(lcp, MOST_PIECES).ok_or(TooMany::Pieces)
+}
+
 /// The corners, each once.
-fn points(lcp: &Lcp) -> Result<Vec<Point>, TooMany> {
-    let pieces = Pieces::at_most(lcp, MOST_PIECES).ok_or(TooMany::Pieces)?;
+fn points(pieces: &Pieces, lcp: &Lcp) -> Result<Vec<Point>, TooMany> {
     let mut all: Vec<Point> = Vec::new();
     let mut known: HashSet<Vec<RBig>> = HashSet::new();
     pieces.each_possible(lcp, &mut |sides| {
@@ -128,8 +131,8 @@ fn points(lcp: &Lcp) -> Result<Vec<Point>, TooMany> {
 }
 
 /// The problem with b = 0 whose finite bounds are 0, and the rays, each scaled to 1 in one of its
-/// rows: solutions d of this problem. A friction row has a direction only together with its normal
-/// row.
+/// rows, which is then free and has w = 0: solutions d of this problem. A friction row has a
+/// direction only together with its normal row.
 fn rays(lcp: &Lcp) -> Result<(Exact, Vec<Point>), TooMany> {
     let zero = |bound: &f64| if bound.is_finite() { 0.0 } else { *bound };
     let (lo, hi): (Vec<f64>, Vec<f64>) =
@@ -139,7 +142,7 @@ fn rays(lcp: &Lcp) -> Result<(Exact, Vec<Point>), TooMany> {
     };
     let directions = bounded(lo.clone(), hi.clone());
     let cone = Exact::new(&directions);
-    if Pieces::at_most(&directions, MOST_PIECES).ok_or(TooMany::Pieces)?.are_regular() {
+    if pieces(&directions)?.are_regular() {
         return Ok((cone, Vec::new())); // 0 is the only solution
     }
     let (mut all, mut known): (Vec<Point>, Vec<Vec<RBig>>) = Default::default();
@@ -147,7 +150,9 @@ fn rays(lcp: &Lcp) -> Result<(Exact, Vec<Point>), TooMany> {
         for side in [1.0, -1.0].into_iter().filter(|side| lo[i] <= *side && *side <= hi[i]) {
             let (mut lo, mut hi) = (lo.clone(), hi.clone());
             (lo[i], hi[i]) = (side, side);
-            for point in points(&bounded(lo, hi))?.into_iter().filter(|d| cone.is_solved_by(d)) {
+            let fixed = bounded(lo, hi);
+            let points = points(&pieces(&fixed)?.with_level(i), &fixed)?;
+            for point in points.into_iter().filter(|d| cone.is_solved_by(d)) {
                 let largest =
                     point.entries().iter().map(|d| d.clone().max(-d)).max().unwrap_or(RBig::ONE);
                 let direction: Vec<RBig> = point.entries().iter().map(|d| d / &largest).collect();

@@ -192,3 +192,24 @@ fn a_solution_whose_friction_underflows_is_not_passed_over() {
     assert!(set.corners[0][1] > RBig::ZERO);
     assert_eq!(set.corners[0][2], RBig::ZERO);
 }
+
+/// One contact with a tangent: solutions (t, s t) for all t ≥ 0, where w_n = 0 on the ray.
+#[test]
+fn a_ray_of_a_contact_with_friction_is_found() {
+    // A, b, lo_n, μ, and the direction of a ray.
+    let cases = [
+        ([0.0, 2.0, 0.0, 0.0], [0.0, 0.0], 0.0, 1.0, [1.0, 0.0]),
+        ([1.0, -2.0, 0.0, 0.0], [0.0, 0.0], 0.0, 2.0, [1.0, 0.5]),
+        ([1.0, -1.0, 0.0, 0.0], [1.0, 0.0], 1.0, 2.0, [1.0, 1.0]),
+    ];
+    for (a, b, lo, mu, direction) in cases {
+        let lcp = Lcp::new(Matrix::dense(2, &a), b.to_vec(), vec![lo, -INF], vec![INF; 2]).unwrap();
+        let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, mu]).unwrap();
+        let found = SolutionSet::of(&lcp.with_coupling(coupling).unwrap()).unwrap();
+        let ray = |own: &Vec<RBig>| {
+            own[0] > RBig::ZERO && &own[1] / &own[0] == RBig::try_from(direction[1]).unwrap()
+        };
+        assert!(found.rays.iter().any(ray), "{a:?}: {:?}", found.rays);
+        assert!(!found.is_unique());
+    }
+}
