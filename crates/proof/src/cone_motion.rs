@@ -160,13 +160,15 @@ fn inside(problem: &ConeProblem, answer: &[f64]) -> Vec<f64> {
         p[n] = p[n].max(0.0);
         let length = f64::hypot(p[t1], p[t2]);
         let mut part = if length > 0.0 { (contact.mu * p[n] / length).min(1.0) } else { 1.0 };
-        let friction = [p[t1], p[t2]];
+        let (friction, mut shrink) = ([p[t1], p[t2]], f64::EPSILON);
         loop {
             [p[t1], p[t2]] = friction.map(|friction| friction * part);
             if is_inside(contact, [&exact(p[n]), &exact(p[t1]), &exact(p[t2])]) {
                 break;
             }
-            part = (part * (1.0 - f64::EPSILON)).next_down().max(0.0);
+            part = (part * (1.0 - shrink)).max(0.0);
+            // A few times suffice, except for friction so small that it is rounded to itself.
+            shrink *= 2.0;
         }
     }
     p

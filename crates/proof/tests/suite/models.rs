@@ -2,7 +2,7 @@
 
 use lcplab_lcp::file::Problem;
 use lcplab_lcp::friction::Model;
-use lcplab_lcp::{Coupling, Lcp, Matrix, Question};
+use lcplab_lcp::{Coupling, Gauss, Lcp, Matrix, Question};
 use lcplab_proof::{
     Claim, Kind, Proof, Tree, canonical_bytes, check, hash, prove, prove_different, prove_kind,
 };
@@ -205,4 +205,25 @@ fn the_hash_covers_the_model_and_what_it_is_frozen_at() {
     let [plain, cone] = [Model::CoupledBox, Model::CoulombCone]
         .map(|model| canonical_bytes(&under(model, &pushed())));
     assert_eq!(cone, [&plain[..], &[0, 0, 0, 12], b"coulomb-cone"].concat());
+}
+
+/// Friction of 5e-324 beside a normal force of 5e-324 and μ = ¾: no smaller friction but 0.
+#[test]
+fn the_smallest_friction_outside_its_cone_becomes_zero() {
+    let target = vec![-2.0, -3.0, -3.0];
+    let unit: Vec<(usize, usize, f64)> = (0..3).map(|i| (i, i, 1.0)).collect();
+    let motion = Gauss {
+        jacobian: (0..3).map(|i| vec![(i, 1.0)]).collect(),
+        mass: unit,
+        bias: vec![0.0; 3],
+        compliance: vec![0.0; 3],
+        target: target.clone(),
+        lo: vec![0.0, -INF, -INF],
+        hi: vec![INF; 3],
+        level: None,
+    };
+    let ball = contacts(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], &target, 0.75);
+    let asked = under(Model::AssociatedCone, &Problem { motion: Some(motion), ..ball });
+    let proof = prove_kind(&asked, &[5e-324, 5e-324, 0.0], Kind::Motion).proof.unwrap();
+    assert_eq!(check(&asked, &proof), Ok(()));
 }
