@@ -160,7 +160,7 @@ pub(super) fn existence(lcp: &Lcp, hints: &[&[f64]], tolerance: f64) -> Existenc
     };
     match search_within(lcp, tolerance, MOST_PROGRAMS) {
         Some(Search::None(tree)) => Existence::None(by_cases(tree)),
-        None if matches!(exact, Refutation::CaseSplit { .. }) => Existence::None(exact),
+        // Without an answer, a contradiction below the tolerance is possible.
         Some(Search::Solution(_)) | None => Existence::Insignificant(exact),
     }
 }

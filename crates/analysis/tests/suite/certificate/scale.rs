@@ -127,3 +127,29 @@ fn no_solver_is_infeasible_where_its_answer_is_accepted() {
         assert_eq!(answer.certificate.refutation(), None, "{}", entry.name);
     }
 }
+
+#[test]
+fn a_contradiction_below_the_tolerance_does_not_count_if_the_search_within_it_ends_early() {
+    // |x_1| ≤ x_0 = 1 slides at its limit, and w_2 = x_0 − x_1 + gap = 0 contradicts it by 1e-13.
+    // The other rows need a subset of eight numbers with a given sum: a long search.
+    let numbers = [1001.0, 1303.0, 1709.0, 2203.0, 2801.0, 3559.0, 4507.0, 5701.0];
+    let chosen = [1.0, 1.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0];
+    let n = 4 + numbers.len();
+    let mut a = vec![0.0; n * n];
+    (a[0], a[n + 1], a[2 * n], a[2 * n + 1]) = (1.0, 1.0, 1.0, -1.0);
+    let (mut b, mut lo, mut hi) = (vec![1.0; n], vec![0.0; n], vec![1.0; n]);
+    (b[0], b[1], b[2]) = (-1.0, -5.0, 1e-13);
+    b[3] = -numbers.iter().zip(chosen).map(|(number, x)| number * x).sum::<f64>();
+    for (k, number) in numbers.into_iter().enumerate() {
+        (a[3 * n + 4 + k], a[(4 + k) * n + 4 + k]) = (number, -2.0);
+    }
+    lo[1..4].fill(-INF);
+    hi[..4].fill(INF);
+    let (mut index, mut mu) = (vec![None; n], vec![0.0; n]);
+    (index[1], mu[1]) = (Some(0), 1.0);
+    let lcp = Lcp::new(Matrix::dense(n, &a), b, lo, hi).unwrap();
+    let lcp = lcp.with_coupling(Coupling::new(index, mu).unwrap()).unwrap();
+    let x = [&[1.0, 1.0, 0.0, 0.0][..], &chosen].concat();
+    let certificate = judged(&lcp.with_scale(1.0).unwrap(), &x);
+    assert_eq!(certificate.verdict, Verdict::WithinTolerance);
+}
