@@ -68,7 +68,8 @@ impl FrictionCertificate {
     /// The certificate of the same x once it is known that the problem has no solution.
     pub fn refuted_by(self, refutation: Refutation) -> Self {
         let verdict = self.verdict.refused(self.worst_row, self.scaled_residual);
-        FrictionCertificate { verdict, evidence: Some(Evidence::NoSolution(refutation)), ..self }
+        let evidence = Some(Evidence::NoSolution(refutation));
+        FrictionCertificate { verdict, evidence, rounded_by: None, ..self }
     }
 
     /// Why the problem has no solution, if that was proved.

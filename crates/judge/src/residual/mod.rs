@@ -3,7 +3,7 @@
 //! ```text
 //! w_i = Σ_j a_ij x_j + b_i        T_i = max(Σ_j |a_ij x_j| + |b_i|, s_i · the problem's scale)
 //! s_i = |a_ii|, else max_j |a_ij|, else 1
-//! e_i = min(T_i / s_i, R_i)       R_i: the largest x_i that the bounds of row i allow, see `Rows::reach`
+//! e_i = min(T_i / s_i, R_i)       R_i: the size of the bounds, see `Rows::reach`
 //! r_i = |x_i − Π_i(x_i − e_i w_i / T_i)| / e_i        0/0 = 0
 //! ```
 //!
@@ -75,7 +75,8 @@ impl<'a> Rows<'a> {
         self.rows[i].residual(own, lo, hi, self.reach(i))
     }
 
-    /// R_i: the largest x_i that the bounds of row i allow.
+    /// R_i: the size of the bounds of row i. An x_i that differs from a bound by as much as the bound
+    /// is large is not at it, however large the terms of the row are.
     ///
     /// ```text
     /// R_i = max(|lo_i|, |hi_i|) of those that are finite, at least the scale; ∞ if they are all 0

@@ -6,11 +6,16 @@
 //!
 //! ```text
 //! r_β = |min(β, e w_β/T_β)| / e            e = min(T_β/s_β, R),   R = μ max(x_n, T_n/s_n)
-//! r_γ = |min((μ x_n − Σ β)/R, min_β γ/T_β)|
+//! r_γ = |min((μ x_n − Σ β)/R, γ/T_γ)|               T_γ = T_β of the β with the least |w_β|
 //! ```
+//!
+//! Where x_n and T_n are 0, and R too, Σ β replaces it in r_γ, so that friction without a normal
+//! force counts in full.
 //!
 //! γ is the candidate with the smallest residual: 0, the largest slip speed along any −d_j, or the
 //! slip speed along the −d_j of a positive β.
+
+use std::cmp::Ordering;
 
 use lcplab_lcp::friction::{Polyhedral, Unknowns};
 
@@ -107,10 +112,20 @@ impl OnPolygon {
     /// The residuals of each β and of γ, which has no step.
     fn residuals(&self, gamma: f64) -> Vec<Residual> {
         let push = |(&beta, row): (&f64, &Row)| row.residual(beta, 0.0, f64::INFINITY, self.reach);
-        let slip = |row: &Row| Wide::from(gamma).relative_to(row.terms);
-        let slips = self.rows.iter().map(slip).fold(f64::INFINITY, f64::min);
-        let left = (self.left / self.reach).value();
-        let of_gamma = Residual { step: Wide::ZERO, relative: left.min(slips).abs() };
+        // γ is the slip speed along the direction whose w it makes zero.
+        let slipping = self.rows.iter().min_by(|a, b| nearest_to_zero(a.w, b.w));
+        let slip = slipping.map_or(0.0, |row| Wide::from(gamma).relative_to(row.terms));
+        let sum = || self.beta.iter().fold(Wide::ZERO, |sum, &beta| sum + beta.into());
+        let left = match self.reach.is_finite() {
+            true => (self.left / self.reach).value(),
+            false => self.left.relative_to(sum()),
+        };
+        let of_gamma = Residual { step: Wide::ZERO, relative: left.min(slip).abs() };
         self.beta.iter().zip(&self.rows).map(push).chain([of_gamma]).collect()
     }
+}
+
+/// Which of two numbers is nearer to 0; NaN is far.
+fn nearest_to_zero(a: Wide, b: Wide) -> Ordering {
+    a.abs().partial_cmp(&b.abs()).unwrap_or(Ordering::Equal)
 }

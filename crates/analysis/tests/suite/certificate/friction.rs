@@ -2,7 +2,7 @@
 
 use lcplab_judge::{Demand, Verdict, judge, judge_friction};
 use lcplab_lcp::Coupling;
-use lcplab_lcp::friction::{Contact, FrictionProblem, Model};
+use lcplab_lcp::friction::{Contact, FrictionProblem, Model, ProblemForm};
 
 use lcplab_testing::{INF, boxed, cases, pushed_mass, rubbing};
 use proptest::prelude::*;
@@ -252,4 +252,74 @@ proptest! {
         let solved = Model::ALL.map(|model| verdict(&smooth, model, &x).is_solution());
         prop_assert!(solved.iter().all(|s| *s == solved[0]), "{:?}", solved);
     }
+}
+
+#[test]
+fn without_a_normal_force_every_friction_is_rejected() {
+    // Nothing presses: x_n = 0 and all terms of its row are 0. w_t1 = x_t1 − 1 vanishes at 1.
+    let lcp = boxed(
+        &[&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0]],
+        &[0.0, -1.0, 0.0],
+        &[0.0, -INF, -INF],
+        &[INF; 3],
+    );
+    let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }]).unwrap();
+    for model in Model::ALL.into_iter().filter(|model| *model != Model::FrozenBox) {
+        assert!(!verdict(&problem, model, &[0.0, 1.0, 0.0]).is_solution(), "{model}");
+        // The associated law lifts a contact that slips.
+        let rests = model != Model::AssociatedCone;
+        assert_eq!(verdict(&problem, model, &[0.0; 3]).is_solution(), rests, "{model}");
+        if let ProblemForm::Polyhedral(own) = model.pose(&problem, None).unwrap() {
+            assert!(!own.is_solution(&[0.0, 1.0, 0.0], 1e-8), "{model}: the solvers' own test");
+        }
+    }
+}
+
+#[test]
+fn large_terms_of_one_tangent_do_not_hide_that_friction_is_missing_along_the_other() {
+    // The contact slips along t1 at full speed without friction; t2 is in equilibrium with row 3 at
+    // forces of 1e9.
+    let lcp = boxed(
+        &[
+            &[1.0, 0.0, 0.0, 0.0],
+            &[0.0, 1.0, 0.0, 0.0],
+            &[0.0, 0.0, 1.0, 1.0],
+            &[0.0, 0.0, 0.0, 1.0],
+        ],
+        &[-1.0, -1.0, -1e9, -1e9],
+        &[0.0, -INF, -INF, -INF],
+        &[INF; 4],
+    );
+    let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }]).unwrap();
+    for model in [
+        Model::CoupledBox,
+        Model::Polyhedral { directions: 4 },
+        Model::Polyhedral { directions: 8 },
+    ] {
+        assert!(!verdict(&problem, model, &[1.0, 0.0, 0.0, 1e9]).is_solution(), "{model}");
+        assert!(verdict(&problem, model, &[1.0, 0.5, 0.0, 1e9]).is_solution(), "{model}");
+    }
+}
+
+#[test]
+fn a_rejected_answer_has_no_distance_from_an_accepted_one() {
+    // Rows 3 and 4 contradict each other; x_n = 1e-17 is rounding of 0.
+    let tiny = 2f64.powi(-60);
+    let lcp = boxed(
+        &[
+            &[1.0, 0.0, 0.0, 0.0, 0.0],
+            &[0.0, 1.0, 0.0, 0.0, 0.0],
+            &[0.0, 0.0, 1.0, 0.0, 0.0],
+            &[tiny, 0.0, 0.0, 1.0, 1.0],
+            &[0.0, 0.0, 0.0, 1.0, 1.0],
+        ],
+        &[0.0, 0.0, 0.0, -1.0, -1.0 - 2f64.powi(-30)],
+        &[0.0, -INF, -INF, -INF, -INF],
+        &[INF; 5],
+    );
+    let problem = FrictionProblem::new(lcp, vec![Contact { rows: [0, 1, 2], mu: 0.5 }]).unwrap();
+    let posed = Model::CoulombCone.pose(&problem, None).unwrap();
+    let certificate = judge_friction(&posed, &[1e-17, 0.0, 0.0, 0.5, 0.5], &Demand::default());
+    assert!(!certificate.verdict.is_solution());
+    assert_eq!(certificate.rounded_by, None);
 }

@@ -123,9 +123,15 @@ impl<'a> ContactFriction<'a> {
         let push = |(&beta, row): (&f64, &RowTerms)| {
             row.row_residual_between(beta, 0.0, f64::INFINITY, || self.reach)
         };
+        // γ is the slip speed along the direction whose w it makes zero.
+        let slipping = self.rows.iter().min_by(|a, b| a.w().abs().total_cmp(&b.w().abs()));
         let slip = |row: &RowTerms| relative(libm::ldexp(gamma, -row.exponent), row.magnitude);
-        let slips = self.rows.iter().map(slip).fold(f64::INFINITY, f64::min);
-        let of_gamma = RowResidual::of_residual((self.left / self.reach).min(slips).abs());
+        let slip = slipping.map_or(0.0, slip);
+        let left = match self.reach.is_finite() {
+            true => self.left / self.reach,
+            false => relative(self.left, self.beta.iter().sum()),
+        };
+        let of_gamma = RowResidual::of_residual(left.min(slip).abs());
         self.beta.iter().zip(&self.rows).map(push).chain([of_gamma]).collect()
     }
 }
