@@ -288,9 +288,6 @@ pub fn certificate_text(
     error_bound: Option<f64>,
     problem: &Problem,
 ) -> String {
-    // The gap is negative only if x is outside its bounds, by less than the tolerance; NaN stays.
-    let gap = certificate.duality_gap;
-    let duality_gap = if gap < 0.0 { 0.0 } else { gap };
     let lines = [
         (
             "scaled residual",
@@ -310,7 +307,7 @@ pub fn certificate_text(
         ),
         (
             "duality gap",
-            duality_gap,
+            certificate.duality_gap,
             "bound on the error of the objective, up to the tolerance; – if there is none",
         ),
     ];

@@ -172,8 +172,8 @@ pub(super) fn measure(at: &Rows<'_>, residuals: &[Residual], tolerance: f64) -> 
         natural = f64::max(natural, finite_or_infinite(w.min(x[i] - lo).max(x[i] - hi).abs()));
         outside = f64::max(outside, (lo - x[i]).max(x[i] - hi));
         let room = if w > 0.0 { x[i] - lo } else { hi - x[i] };
-        is_feasible &=
-            residuals[i].relative <= tolerance || room.is_finite() && lo <= x[i] && x[i] <= hi;
+        is_feasible &= lo <= x[i] && x[i] <= hi;
+        is_feasible &= room.is_finite() || residuals[i].relative <= tolerance;
         if room.is_infinite() {
             infeasible = f64::max(infeasible, w.abs());
         } else {

@@ -327,3 +327,10 @@ fn a_bound_is_never_printed_below_itself() {
     let verdict = Verdict::Proved { distance: 1.04e-9 };
     assert!(verdict.to_string().contains("within 1.1×10⁻⁹"));
 }
+
+#[test]
+fn outside_the_bounds_there_is_no_duality_gap() {
+    // w = x + 1 at x = −1e-9 < 0: accepted, but |w| (x − 0) is no bound on the error 1e-9.
+    let at = judge(&contacts(&[&[1.0]], &[1.0]), &[-1e-9], &Demand::default());
+    assert!(at.verdict.is_solution() && at.duality_gap.is_nan());
+}
