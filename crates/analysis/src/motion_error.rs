@@ -176,9 +176,13 @@ fn of_cones(gauss: &Gauss, friction: &FrictionProblem, x: &[f64]) -> Result<Moti
 /// |v|_M of the change v = u − u*.
 fn length(gauss: &Gauss, u: &[f64]) -> f64 {
     let change: Vec<f64> = u.iter().zip(&gauss.target).map(|(u, target)| u - target).collect();
+    // The squares of large changes overflow; a power of two changes no digit.
+    let largest = change.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let exponent = if largest > 0.0 { libm::ilogb(largest) } else { 0 };
+    let change: Vec<f64> = change.iter().map(|v| libm::ldexp(*v, -exponent)).collect();
     let term = |&(i, j, m): &(usize, usize, f64)| {
         let product = m * change[i] * change[j];
         if i == j { product } else { 2.0 * product }
     };
-    gauss.mass.iter().map(term).sum::<f64>().max(0.0).sqrt()
+    libm::ldexp(gauss.mass.iter().map(term).sum::<f64>().max(0.0).sqrt(), exponent)
 }

@@ -213,9 +213,10 @@ impl RowTerms {
         self.natural().min(self.reach(lcp, k, x)).max(x[k])
     }
 
-    /// terms_i / s_i: the size of x that corresponds to the terms.
+    /// terms_i / s_i: the size of x that corresponds to the terms; 0 only if they are 0.
     fn natural(&self) -> f64 {
-        libm::ldexp(self.magnitude / self.positive_scale(), self.exponent)
+        let size = libm::ldexp(self.magnitude / self.positive_scale(), self.exponent);
+        if self.magnitude > 0.0 { size.max(f64::from_bits(1)) } else { size }
     }
 
     /// s_i, or 1 if the whole row is 0.

@@ -153,3 +153,14 @@ fn with_coupled_row(lcp: &Lcp, mu: f64) -> Lcp {
     let free = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), lo, hi).unwrap();
     free.with_coupling(Coupling::new(follows, mus).unwrap()).unwrap()
 }
+
+/// A contact with friction 5e-324, the smallest number, and no normal force: T_n/s_n = 1e-323/9 is
+/// below that, but not 0, so that a friction of 5e-324 has a size.
+#[test]
+fn the_smallest_friction_without_a_normal_force_has_a_residual() {
+    let lcp = boxed(&[&[9.0, 2.0], &[2.0, 13.0]], &[0.0, -6.0], &[0.0, -INF], &[INF; 2]);
+    let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 4.0]).unwrap();
+    let lcp = lcp.with_coupling(coupling).unwrap();
+    assert!(merit::scaled_residual(&lcp, &[0.0, 5e-324]) > 0.1);
+    assert_eq!(merit::scaled_residual(&lcp, &[0.0, 0.0]), 0.0);
+}
