@@ -142,6 +142,12 @@ class Server(http.server.SimpleHTTPRequestHandler):
         self.end_headers()
         return io.BytesIO(data)
 
+    def handle(self) -> None:
+        try:
+            super().handle()
+        except (BrokenPipeError, ConnectionResetError):
+            pass  # the browser has closed the page
+
     def log_message(self, *_: object) -> None:
         """Requests are not worth a line each."""
 
