@@ -75,8 +75,8 @@ impl<'a> Rows<'a> {
         self.rows[i].residual(own, lo, hi, self.reach(i))
     }
 
-    /// R_i: the size of the bounds of row i. An x_i that differs from a bound by as much as the bound
-    /// is large is not at it, however large the terms of the row are.
+    /// R_i: the size of the bounds of row i. An x_i that differs from a bound by as much as the
+    /// bound is large is not at it, however large the terms of the row are.
     ///
     /// ```text
     /// R_i = max(|lo_i|, |hi_i|) of those that are finite, at least the scale; ∞ if they are all 0
