@@ -5,12 +5,13 @@
 //! time limit.
 
 use std::process;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
 use clap::Args;
+use lcplab::error::Result;
 use lcplab::memory::Memory;
 use lcplab::report::aside::GRACE;
 use lcplab::solver::{Reason, Stop};
@@ -20,6 +21,9 @@ use super::{code, say};
 /// The additional time for a command that checks the stop condition: it may have to finish an
 /// operation that cannot be interrupted, such as a factorization, and then has to write.
 const PATIENCE: Duration = GRACE.saturating_mul(2);
+
+/// The same for a command that has [last words](Limits::last_words), so that little is lost.
+const SHORT_PATIENCE: Duration = Duration::from_secs(1);
 
 /// How long a command may take.
 #[derive(Debug, Args)]
@@ -40,13 +44,18 @@ pub struct MemoryLimit {
 /// The hint if something is larger than the limit.
 pub const RAISE_MEMORY: &str = " (raise it with --max-memory)";
 
+/// What a command prints if it is ended before it is finished.
+type LastWords = Box<dyn FnOnce() -> Result<()> + Send>;
+
 /// The running time limit of a command.
+#[derive(Clone)]
 pub struct Limits {
     stop: Stop,
     /// Whether the command checks the stop condition.
     asks: Arc<AtomicBool>,
     /// Whether it has finished its work and is writing.
     is_over: Arc<AtomicBool>,
+    last_words: Arc<Mutex<Option<LastWords>>>,
 }
 
 impl Limits {
@@ -56,10 +65,14 @@ impl Limits {
             stop: time.time_limit.map(Stop::after).unwrap_or_default(),
             asks: Arc::default(),
             is_over: Arc::default(),
+            last_words: Arc::default(),
         };
         if let Some(limit) = time.time_limit {
-            let (asks, is_over) = (Arc::clone(&limits.asks), Arc::clone(&limits.is_over));
-            in_background(move || guard(limit, &asks, &is_over));
+            let limits = limits.clone();
+            in_background(move || {
+                thread::sleep(limit);
+                limits.force(Reason::TimeLimit(limit));
+            });
         }
         limits
     }
@@ -71,21 +84,60 @@ impl Limits {
             // The handler is already installed.
             return &self.stop;
         }
-        let (stop, mut was_asked) = (self.stop.clone(), false);
+        let (limits, mut was_asked) = (self.clone(), false);
         at_signals(move || {
             if was_asked {
                 process::exit(code(Reason::Interrupted).into());
             }
             was_asked = true;
             say("stopping; press Ctrl-C again to end at once");
-            stop.raise();
+            limits.stop.raise();
+            if limits.has_last_words() {
+                let limits = limits.clone();
+                in_background(move || limits.force(Reason::Interrupted));
+            }
         });
         &self.stop
     }
 
+    /// What to print if the program is ended because the command does not stop by itself.
+    pub(crate) fn last_words(&self, words: impl FnOnce() -> Result<()> + Send + 'static) {
+        *self.words() = Some(Box::new(words));
+    }
+
     /// Marks the work as done; what follows must not be interrupted.
     pub(crate) fn over(&self) {
-        self.is_over.store(true, Ordering::Relaxed);
+        if self.is_over.swap(true, Ordering::Relaxed) {
+            // The program is being ended.
+            loop {
+                thread::park();
+            }
+        }
+    }
+
+    fn words(&self) -> MutexGuard<'_, Option<LastWords>> {
+        self.last_words.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn has_last_words(&self) -> bool {
+        self.words().is_some()
+    }
+
+    /// Ends the program if the command does not stop by itself in time.
+    fn force(&self, reason: Reason) {
+        thread::sleep(match (self.asks.load(Ordering::Relaxed), self.has_last_words()) {
+            (false, _) => Duration::ZERO,
+            (true, false) => PATIENCE,
+            (true, true) => SHORT_PATIENCE,
+        });
+        if self.is_over.swap(true, Ordering::Relaxed) {
+            return;
+        }
+        match self.words().take().map(|words| words()) {
+            Some(_) => say(&format!("error: {reason}")),
+            None => say(&format!("error: {reason}; unfinished work is lost")),
+        }
+        process::exit(code(reason).into());
     }
 }
 
@@ -124,21 +176,8 @@ fn in_background(work: impl FnOnce() + Send + 'static) {
     let _ = thread::Builder::new().spawn(work);
 }
 
-/// Ends the program at the time limit if it cannot end by itself.
-fn guard(limit: Duration, asks: &AtomicBool, is_over: &AtomicBool) {
-    thread::sleep(limit);
-    if asks.load(Ordering::Relaxed) {
-        thread::sleep(PATIENCE);
-    }
-    if !is_over.load(Ordering::Relaxed) {
-        let reason = Reason::TimeLimit(limit);
-        say(&format!("error: {reason}; unfinished work is lost"));
-        process::exit(code(reason).into());
-    }
-}
-
 /// Parses a positive number of seconds.
-fn seconds(text: &str) -> Result<Duration, String> {
+fn seconds(text: &str) -> std::result::Result<Duration, String> {
     let seconds = text.parse().ok().filter(|seconds| *seconds > 0.0 && *seconds <= 1e9);
     let seconds: f64 = seconds.ok_or("must be a number of seconds above 0")?;
     Ok(Duration::from_secs_f64(seconds))

@@ -24,7 +24,7 @@ pub struct SolverArgs {
     #[arg(long, allow_negative_numbers = true, default_value = "1e-8")]
     tolerance: f64,
     /// Maximum number of sweeps or pivots
-    #[arg(long, visible_alias = "sweeps", default_value_t = Settings::default().max_iterations)]
+    #[arg(long, visible_alias = "sweeps", allow_negative_numbers = true, value_parser = iterations, default_value_t = Settings::default().max_iterations)]
     max_iterations: usize,
     #[command(flatten)]
     memory: MemoryLimit,
@@ -48,6 +48,11 @@ pub struct Choices {
     /// for every semidefinite A]
     #[arg(long, allow_negative_numbers = true)]
     pub damping: Option<f64>,
+}
+
+/// A number of iterations.
+pub fn iterations(text: &str) -> std::result::Result<usize, String> {
+    text.parse().map_err(|_| "must be a whole number, such as 1000".to_string())
 }
 
 /// An option with another default in its help: in some commands the default is another one.

@@ -29,9 +29,9 @@ impl Plugins {
         registered(self.plugin.iter().map(|spec| Plugin::start(spec, limit)))
     }
 
-    /// The first command.
-    pub fn first(&self) -> Option<&str> {
-        self.plugin.first().map(String::as_str)
+    /// The commands, as they were given.
+    pub fn commands(&self) -> impl Iterator<Item = &str> {
+        self.plugin.iter().map(String::as_str)
     }
 
     /// Whether there are none.
@@ -49,6 +49,16 @@ impl Plugins {
                 Err(Error::invalid("options", "--plugin", reason))
             }
         }
+    }
+}
+
+/// The command in quotation marks, as a shell reads it.
+pub fn quoted(command: &str) -> String {
+    let is_plain = !command.contains(['"', '$', '`', '\\']);
+    if is_plain {
+        format!("\"{command}\"")
+    } else {
+        format!("'{}'", command.replace('\'', r"'\''"))
     }
 }
 

@@ -1,9 +1,10 @@
 //! `hunt --measure`: searches for the smallest problem on which a solver fails.
 
 use std::ops::RangeInclusive;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::hunt::{Counterexample, Finding, Friction, Given, Measure, Search, Target};
@@ -16,6 +17,7 @@ use lcplab::solver::{Group, MatrixClass, Options, Registry};
 use serde_json::{Value, json};
 
 use super::limits::Limits;
+use super::plugin::quoted;
 use super::{Outcome, bar, print, say, warn};
 
 /// What to look for, and where.
@@ -31,8 +33,8 @@ pub struct SearchArgs {
     n: RangeInclusive<usize>,
     /// Class of the matrix, decided in exact arithmetic [default: definite; with --from the
     /// narrowest class of the given problems]
-    #[arg(long, value_enum, requires = "measure")]
-    class: Option<Class>,
+    #[arg(long, value_parser = classes(), requires = "measure")]
+    class: Option<MatrixClass>,
     /// Search only problems with friction: contacts with a normal and two tangents; --model implies
     /// this
     #[arg(long, requires = "measure")]
@@ -53,7 +55,7 @@ pub struct SearchArgs {
     #[arg(long, requires = "measure")]
     omega: Option<f64>,
     /// Write the problem to this file
-    #[arg(long, value_name = "FILE", requires = "measure")]
+    #[arg(long, value_name = "FILE", requires = "one")]
     out: Option<PathBuf>,
 }
 
@@ -73,28 +75,16 @@ pub struct HuntOptions<'a> {
     pub command: Option<&'a str>,
 }
 
-/// Classes of matrices that can be decided.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Class {
-    /// No restriction
-    Any,
-    /// Symmetric positive semidefinite, as in every scene
-    Semidefinite,
-    /// Symmetric positive definite
-    Definite,
-    /// All principal minors positive
-    P,
-}
-
-impl From<Class> for MatrixClass {
-    fn from(class: Class) -> Self {
-        match class {
-            Class::Any => MatrixClass::General,
-            Class::Semidefinite => MatrixClass::Semidefinite,
-            Class::Definite => MatrixClass::Definite,
-            Class::P => MatrixClass::P,
-        }
-    }
+/// The classes of matrices, by the names that plug-ins and Python use; any is an old name.
+fn classes() -> impl TypedValueParser<Value = MatrixClass> {
+    let value = |class: MatrixClass| {
+        let value = PossibleValue::new(class.word()).help(class.to_string());
+        if class == MatrixClass::General { value.alias("any") } else { value }
+    };
+    PossibleValuesParser::new(MatrixClass::ALL.map(value)).try_map(|word| match word.as_str() {
+        "any" => Ok(MatrixClass::General),
+        word => MatrixClass::by_word(word),
+    })
 }
 
 impl SearchArgs {
@@ -103,10 +93,15 @@ impl SearchArgs {
         !self.measure.is_empty()
     }
 
+    /// The file for the problem.
+    pub fn out(&self) -> Option<&Path> {
+        self.out.as_deref()
+    }
+
     /// Searches for a problem on which the named solver, or the first of a ratio, fails.
     pub fn hunt(&self, all: HuntOptions<'_>, json: bool, limits: &Limits) -> Result<Outcome> {
         let HuntOptions { names, solvers, model, options, seed, command } = all;
-        let given = Given::new(&self.problems()?, self.class.map(Class::into), model)?;
+        let given = Given::new(&self.problems()?, self.class, model)?;
         given.notes.iter().for_each(|note| say(&format!("note: {note}")));
         let target = self.target(names, solvers, options, &given)?;
         let search = Search {
@@ -145,11 +140,10 @@ impl SearchArgs {
             });
         };
         let mut finding = Finding::of(&counterexample, &target, seed);
-        if let Some(path) = &self.out {
-            finding.test = finding.test.replace("PROBLEM", &path.display().to_string());
-        }
+        let file = self.out.as_ref().map_or("bug.json".into(), |path| path.display().to_string());
+        finding.test = finding.test.replace("PROBLEM", &file);
         if let Some(command) = command {
-            finding.test = finding.test.replace("COMMAND", command);
+            finding.test = finding.test.replace("\"COMMAND\"", &quoted(command));
         }
         if let Some(path) = &self.out {
             file::write(path, format!("{}\n", finding.problem.to_json()))?;
@@ -238,7 +232,11 @@ impl SearchArgs {
         text += "\n";
         text += &match target.solver.group() {
             Group::Plugin => {
-                format!("test       {}   # exit code 1 until it is fixed\n", finding.test)
+                let save = match self.out {
+                    Some(_) => "",
+                    None => "; --out bug.json writes the problem",
+                };
+                format!("test       {}   # exit code 1 until it is fixed{save}\n", finding.test)
             }
             _ => format!("{}\n", finding.test),
         };

@@ -309,6 +309,23 @@ fn the_hunt_finds_what_a_plug_in_says_that_is_not_true() {
     // It takes the bounds of friction rows as they stand: those of a block on a plane are infinite.
     let found = "sweeps on problem 7 (plane-friction): solved, but the scaled residual is";
     assert!(out(&output).contains(found), "{}", out(&output));
+    // The command below it writes this problem and repeats the claim.
+    let folder = tempfile::tempdir().unwrap();
+    let command = format!("hunt --plugin \"{SWEEPS}\" --problem 7 --seed 1 --out bug.json");
+    assert!(out(&output).contains(&format!("    lcplab {command}\n")), "{}", out(&output));
+    let file = folder.path().join("bug.json");
+    let file = file.to_str().unwrap();
+    let one = ["hunt", "--plugin", SWEEPS, "--problem", "7", "--seed", "1", "--out", file];
+    let output = run(&one);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(out(&output).contains(found), "{}", out(&output));
+    assert_eq!(message(&["solve", file, "--plugin", SWEEPS]).1, Some(1));
+    // Without a false claim, too, and under a model.
+    let cone = ["hunt", "--solver", "apgd", "--model", "coulomb-cone", "--problem", "2"];
+    assert_eq!(run(&[&cone[..], &["--out", file]].concat()).status.code(), Some(0));
+    let problem: Value = serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap();
+    assert_eq!(problem["model"], "coulomb-cone");
+    assert_eq!(run(&["hunt", "--out", file]).status.code(), Some(2));
 }
 
 #[test]

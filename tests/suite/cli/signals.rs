@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
@@ -175,6 +175,18 @@ fn an_interrupted_report_writes_its_page_and_goes_on_from_its_results() {
     let again = end(lcplab(&run), ENDS[1], || true);
     assert_interrupted(&again);
     assert!(is_done(0) && out(&again).contains("1 of 2 tasks done"), "{}", out(&again));
+}
+
+#[test]
+fn an_interrupted_hunt_prints_its_table() {
+    for signal in ENDS {
+        let child = lcplab(&["hunt", "--problems", "10000000", "--solver", "murty"]);
+        let start = Instant::now();
+        let output = end(child, signal, || start.elapsed() > Duration::from_secs(1));
+        assert!(start.elapsed() < Duration::from_secs(10));
+        assert_interrupted(&output);
+        assert!(out(&output).contains("stopped: of 10000000 problems, numbers 0 to "));
+    }
 }
 
 #[test]

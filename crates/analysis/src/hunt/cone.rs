@@ -10,10 +10,8 @@
 //! it slides along b_t. The scales a_n, a_t and the loads range over 10⁻⁸ … 10⁸ each, so solvers
 //! must resolve a light load next to a heavy one, and a slip next to a large force.
 
-use rayon::prelude::*;
-
-use super::Tally;
 use super::numbers::Random;
+use super::{Record, Tally};
 use crate::trial::Trial;
 use lcplab_judge::{Demand, judge_cone};
 use lcplab_lcp::friction::{ConeProblem, Contact, FrictionProblem, Law, ProblemForm};
@@ -69,14 +67,12 @@ pub fn contact(seed: u64, k: usize) -> ConeTruth {
     }
 }
 
-/// The claims of the cone solvers on the first contacts of a seed, and whether they are true.
-pub fn tallies(seed: u64, contacts: usize, settings: &Settings) -> Vec<Tally> {
-    let of_entry = |entry: &ConeEntry| {
-        let empty = || Tally { solver: entry.name.to_string(), ..Tally::default() };
-        let one = |k: usize| tally(entry, &contact(seed, k), k, settings);
-        (0..contacts).into_par_iter().map(one).reduce(empty, Tally::and)
-    };
-    Registry::standard().cone_entries().map(of_entry).collect()
+/// The claims of the cone solvers on contact k of a seed, and whether they are true.
+pub(super) fn record(seed: u64, k: usize, settings: &Settings) -> Record {
+    let truth = contact(seed, k);
+    let entries = Registry::standard().cone_entries();
+    let tallies = entries.map(|entry| tally(entry, &truth, k, settings)).collect();
+    Record { problems: 1, tallies, ..Record::default() }
 }
 
 /// A claim is false if the judge rejects it, or if it differs from the closed form; a verdict is

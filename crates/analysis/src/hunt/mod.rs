@@ -25,7 +25,7 @@
 //! use lcplab_analysis::hunt::Hunt;
 //!
 //! let solvers: [Box<dyn Solver>; 2] = [Box::new(Pgs::default()), Box::new(Dantzig::default())];
-//! let record = Hunt { problems: 40, seed: 7, tolerance: 1e-8 }.of(&solvers, &|| ());
+//! let record = Hunt { numbers: 0..40, seed: 7, tolerance: 1e-8 }.of(&solvers, &|| ());
 //! assert!(record.tallies.iter().all(|tally| tally.false_claims.is_empty()));
 //! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
@@ -45,6 +45,7 @@ mod membership;
 mod numbers;
 mod posing;
 mod problem;
+mod progress;
 mod right;
 mod search;
 mod shrink;
@@ -56,50 +57,54 @@ pub use finding::Finding;
 pub use given::Given;
 pub use measure::{Exclusion, Friction, Measure, Score, Target};
 pub use posing::pose;
-pub use problem::{KINDS, Kind, contact_problem, problem};
+pub use problem::{KINDS, Kind, contact_problem, problem, problem_file};
+pub use progress::Progress;
 pub use right::RightAnswer;
 pub use search::{Counterexample, Search, SearchResult};
 pub use tally::{Record, Tally};
 pub use truth::{Claim, FalseClaim, Truth};
 
-use rayon::prelude::*;
+use std::ops::Range;
 
 use crate::trial::Trial;
 use lcplab_lcp::Lcp;
 use lcplab_lcp::friction::Model;
-use lcplab_solver::{Method, Options, Solver, Start, Stop};
+use lcplab_solver::{Method, Options, Registry, Settings, Solver, Start, Stop};
 
 /// A hunt over a number of problems of a seed.
 ///
 /// ```
-/// use lcplab_analysis::hunt::{Hunt, claims, cone, pose, problem};
+/// use lcplab_analysis::hunt::{Hunt, Progress, claims, pose, problem, problem_file};
 /// use lcplab_lcp::friction::{Model, ProblemForm};
 /// use lcplab_solver::{Dantzig, Options, Registry, Settings, Solver, Stop};
 ///
-/// let hunt = Hunt { problems: 20, seed: 7, tolerance: 1e-8 };
+/// let hunt = Hunt { numbers: 0..20, seed: 7, tolerance: 1e-8 };
 /// let solvers: [Box<dyn Solver>; 1] = [Box::new(Dantzig::default())];
-/// let record = hunt.until(&Stop::default(), &solvers, &|| ());
+/// let (stop, progress) = (Stop::default(), Progress::default());
+/// let record = hunt.until(&stop, &solvers, &progress, &|| ());
 /// assert!(record.has_no_false_claims() && record.tallies[0].right() > 0);
+/// assert_eq!(progress.record(), record); // another thread can read it at any time
 ///
 /// // One of these problems by itself: a claim for each solver.
 /// let (lcp, start) = problem(7, 0);
 /// assert_eq!(claims(&lcp, start.as_deref(), &solvers, 1e-8).len(), 1);
+/// assert_eq!(problem_file(7, 0, None).lcp.b(), lcp.b()); // as a file
 /// assert!(matches!(pose(&lcp, None)?, ProblemForm::Boxed(_))); // no friction model: a box
 ///
 /// // Methods under a friction model, and cones, whose answers have closed forms.
 /// let methods = [Registry::standard().method("cone-pgs", Some(Model::CoulombCone))?.clone()];
 /// let (model, options) = (Model::CoulombCone, Options::default());
-/// let record = hunt.under(model, &Stop::default(), &methods, &options, &|| ());
+/// let progress = Progress::default();
+/// let record = hunt.under(model, &stop, &methods, &options, &progress, &|| ());
 /// assert!(record.has_no_false_claims());
-/// let settings = Settings::default();
-/// assert_eq!(cone::tallies(7, 20, &settings).len(), 2); // cone-pgs and apgd
-/// assert!(record.with_cones(7, 20, &settings).has_no_false_claims());
+/// let record = hunt.with_cones(20, &stop, &Settings::default(), &progress);
+/// assert!(record.has_no_false_claims() && record.contacts == 20);
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Hunt {
-    /// The number of problems, cycling through the kinds in [`KINDS`].
-    pub problems: usize,
+    /// The numbers of the problems, which cycle through the kinds in [`KINDS`].
+    pub numbers: Range<usize>,
     /// The seed of all problems.
     pub seed: u64,
     /// The largest scaled residual of a solution.
@@ -110,27 +115,25 @@ impl Hunt {
     /// Gives every problem to every solver, on all threads of the pool; `tick` is called after each
     /// problem.
     pub fn of(&self, solvers: &[Box<dyn Solver>], tick: &(dyn Fn() + Sync)) -> Record {
-        self.until(&Stop::default(), solvers, tick)
+        self.until(&Stop::default(), solvers, &Progress::default(), tick)
     }
 
-    /// The same with a stop condition; the record counts the problems that were given.
+    /// The same with a stop condition, at which the problems in work are given up. Problems are
+    /// given in the order of their numbers; `progress` has the record of those that are finished.
     pub fn until(
         &self,
         stop: &Stop,
         solvers: &[Box<dyn Solver>],
+        progress: &Progress,
         tick: &(dyn Fn() + Sync),
     ) -> Record {
-        let empty = || Record::empty(solvers.iter().map(|solver| solver.name()));
-        let one = |k: usize| {
-            if stop.reason().is_some() {
-                return empty();
-            }
+        let names = solvers.iter().map(|solver| solver.name());
+        progress.work(names, self.numbers.clone(), stop, &|k| {
             let (lcp, start) = problem(self.seed, k);
-            let claims = claims(&lcp, start.as_deref(), solvers, self.tolerance);
+            let claims = claims_until(stop, &lcp, start.as_deref(), solvers, self.tolerance)?;
             tick();
-            Record::of(k, KINDS[k % KINDS.len()].name, &claims)
-        };
-        (0..self.problems).into_par_iter().map(one).reduce(empty, Record::and)
+            Some(Record::of(k, KINDS[k % KINDS.len()].name, &claims))
+        })
     }
 
     /// The claims of methods on problems with friction ([`contact_problem`]) under a model, and
@@ -141,24 +144,40 @@ impl Hunt {
         stop: &Stop,
         methods: &[Method],
         options: &Options,
+        progress: &Progress,
         tick: &(dyn Fn() + Sync),
     ) -> Record {
-        let empty = || Record::empty(methods.iter().map(Method::name));
-        let one = |k: usize| {
-            let posed = pose(&contact_problem(self.seed, k), Some(model));
-            let Some(posed) = posed.ok().filter(|_| stop.reason().is_none()) else {
-                return empty();
-            };
-            let claim = |method: &Method| {
-                let trial = Trial::run(method, &posed, options, &mut ());
-                Claim::under(&posed, &trial.solution, self.tolerance)
-            };
-            let claims: Vec<(&str, Claim)> =
-                methods.iter().map(|method| (method.name(), claim(method))).collect();
+        let names = methods.iter().map(Method::name);
+        progress.work(names, self.numbers.clone(), stop, &|k| {
+            let posed = pose(&contact_problem(self.seed, k), Some(model)).ok()?;
+            let mut claims = Vec::with_capacity(methods.len());
+            for method in methods {
+                let trial = Trial::run(method, &posed, options, &mut stop.watch(&mut ()));
+                if stop.reason().is_some() {
+                    return None;
+                }
+                let claim = Claim::under(&posed, &trial.solution, self.tolerance);
+                claims.push((method.name(), claim));
+            }
             tick();
-            Record::of(k, "friction", &claims)
-        };
-        (0..self.problems).into_par_iter().map(one).reduce(empty, Record::and)
+            Some(Record::of(k, "friction", &claims))
+        })
+    }
+
+    /// The record in `progress` with the claims of the cone solvers on the first contacts of the
+    /// seed ([`cone`]) among those of [`contact_problem`], until the stop condition.
+    pub fn with_cones(
+        &self,
+        contacts: usize,
+        stop: &Stop,
+        settings: &Settings,
+        progress: &Progress,
+    ) -> Record {
+        let names = Registry::standard().cone_entries().map(|entry| &*entry.name);
+        // With the numbers that they have as problems with friction.
+        let one = |k| Some(cone::record(self.seed, 2 * k, settings));
+        progress.add_cones(Progress::default().work(names, 0..contacts, stop, &one));
+        progress.record()
     }
 }
 
@@ -169,15 +188,28 @@ pub fn claims<'s>(
     solvers: &'s [Box<dyn Solver>],
     tolerance: f64,
 ) -> Vec<(&'s str, Claim)> {
+    claims_until(&Stop::default(), lcp, start, solvers, tolerance)
+        .expect("a condition that is never met")
+}
+
+/// The same; none if the stop condition is met before all solvers have answered.
+fn claims_until<'s>(
+    stop: &Stop,
+    lcp: &Lcp,
+    start: Option<&[f64]>,
+    solvers: &'s [Box<dyn Solver>],
+    tolerance: f64,
+) -> Option<Vec<(&'s str, Claim)>> {
     let start = Start { x: start, ..Start::default() };
-    let solve = |solver: &'s dyn Solver| {
-        (solver.name(), Claim::of(lcp, &solver.solve(lcp, &start, &mut ()), tolerance))
+    let solve = |solver: &'s Box<dyn Solver>| {
+        let solution = solver.solve(lcp, &start, &mut stop.watch(&mut ()));
+        let is_in_time = stop.reason().is_none();
+        is_in_time.then(|| (solver.name(), Claim::of(lcp, &solution, tolerance)))
     };
-    let mut claims: Vec<(&str, Claim)> =
-        solvers.iter().map(|solver| solve(solver.as_ref())).collect();
+    let mut claims = solvers.iter().map(solve).collect::<Option<Vec<_>>>()?;
     let truth = Truth::of(lcp, claims.iter().map(|(_, claim)| claim));
     for (_, claim) in &mut claims {
         claim.weigh(truth);
     }
-    claims
+    Some(claims)
 }

@@ -6,9 +6,14 @@
 
 use std::ops::RangeInclusive;
 
+use serde_json::{Value, json};
+
 use super::cone;
 use super::numbers::{Numbers, Random, dot, gram};
+use super::posing::frozen_at;
 use lcplab_lcp::Lcp;
+use lcplab_lcp::file::{Problem, number};
+use lcplab_lcp::friction::Model;
 use lcplab_solver::MatrixClass;
 
 /// A kind of problem.
@@ -146,6 +151,23 @@ pub fn contact_problem(seed: u64, k: usize) -> Lcp {
     let random = &mut Random::new(seed, k);
     let numbers = whole(random, 3..=7, Some(1.0)).with_contacts(random, 2);
     numbers.lcp().expect("finite numbers, tangents after normals")
+}
+
+/// Problem k of a seed as a file: of all kinds ([`problem`]), with the start of the solvers in the
+/// key `hunt` if there is one, or with friction under a model ([`contact_problem`]).
+pub fn problem_file(seed: u64, k: usize, model: Option<Model>) -> Problem {
+    let (lcp, start) = match model {
+        Some(_) => (contact_problem(seed, k), None),
+        None => problem(seed, k),
+    };
+    let frozen_at = (model == Some(Model::FrozenBox)).then(|| frozen_at(&lcp));
+    let name = format!("problem {k} of lcplab hunt, seed {seed}");
+    let mut file = Problem { model, frozen_at, ..Problem::new(name, lcp) };
+    if let Some(start) = start {
+        let start: Value = start.into_iter().map(number).collect();
+        file.extra.insert("hunt".into(), json!({ "start": start }));
+    }
+    file
 }
 
 /// The addition to the diagonal of JJᵀ that a matrix class requires; `None` if there is none.

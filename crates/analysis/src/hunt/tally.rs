@@ -2,17 +2,20 @@
 
 use serde::Serialize;
 
-use super::{Claim, FalseClaim, cone};
-use lcplab_solver::Settings;
+use super::{Claim, FalseClaim};
 
 /// Maximum number of false claims kept per solver; all are counted.
 const KEPT: usize = 20;
 
 /// The result of a hunt.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Record {
-    /// The number of problems.
+    /// The number of problems that all solvers have answered.
     pub problems: usize,
+    /// The solvers were given all problems of the hunt with numbers below this one.
+    pub given: usize,
+    /// The numbers of the given problems that were not finished.
+    pub unfinished: Vec<usize>,
     /// The number of contacts with a cone.
     pub contacts: usize,
     /// The tallies of the solvers in the given order, followed by the cone solvers.
@@ -43,37 +46,30 @@ pub struct Tally {
 }
 
 impl Record {
+    /// What follows the name of a solver in its tally on contacts with cones.
+    pub const ON_CONES: &str = " on cones";
+
     /// A record without problems.
     pub(super) fn empty<'s>(solvers: impl Iterator<Item = &'s str>) -> Record {
         let tally = |name: &str| Tally { solver: name.to_string(), ..Tally::default() };
-        Record { problems: 0, contacts: 0, tallies: solvers.map(tally).collect() }
+        Record { tallies: solvers.map(tally).collect(), ..Record::default() }
     }
 
     /// The record of one problem of a kind.
     pub(super) fn of(number: usize, kind: &'static str, claims: &[(&str, Claim)]) -> Record {
         let tally = |(solver, claim): &(&str, Claim)| Tally::of(number, kind, solver, claim);
-        Record { problems: 1, contacts: 0, tallies: claims.iter().map(tally).collect() }
+        let tallies = claims.iter().map(tally).collect();
+        Record { problems: 1, tallies, ..Record::default() }
     }
 
-    /// The sum of both.
+    /// This record with the claims of another.
     pub(super) fn and(self, other: Record) -> Record {
         let tallies = self.tallies.into_iter().zip(other.tallies);
         Record {
             problems: self.problems + other.problems,
-            contacts: self.contacts + other.contacts,
             tallies: tallies.map(|(one, other)| one.and(other)).collect(),
+            ..self
         }
-    }
-
-    /// The record with the claims of the cone solvers on the first contacts of a seed.
-    #[must_use]
-    pub fn with_cones(mut self, seed: u64, contacts: usize, settings: &Settings) -> Record {
-        self.contacts += contacts;
-        self.tallies.extend(cone::tallies(seed, contacts, settings).into_iter().map(|tally| {
-            let solver = format!("{} on cones", tally.solver);
-            Tally { solver, ..tally }
-        }));
-        self
     }
 
     /// Whether there are no false claims.

@@ -1,11 +1,11 @@
 //! Tests solvers for false claims, and tests that the hunt detects false claims.
 
-use lcplab_analysis::hunt::cone::{ConeTruth, contact, tallies};
-use lcplab_analysis::hunt::{Claim, FalseClaim, Hunt, KINDS, claims, problem};
+use lcplab_analysis::hunt::cone::{ConeTruth, contact};
+use lcplab_analysis::hunt::{Claim, FalseClaim, Hunt, KINDS, Progress, Tally, claims, problem};
 use lcplab_judge::{Demand, judge_cone};
 use lcplab_lcp::{Complementarity, Lcp};
 use lcplab_solver::{
-    Enumeration, Observer, Options, Pgs, Registry, Settings, Solution, Solver, Start, Status,
+    Enumeration, Observer, Options, Pgs, Registry, Settings, Solution, Solver, Start, Status, Stop,
     all_solutions,
 };
 
@@ -36,7 +36,7 @@ fn no_solver_lies_about_ten_thousand_hostile_problems() {
     let options = Options::default().with_settings(settings);
     let solvers: Vec<_> =
         Registry::standard().entries().map(|entry| entry.build(&options)).collect();
-    let record = Hunt { problems: 10_000, seed: 8, tolerance: 1e-8 }.of(&solvers, &|| ());
+    let record = Hunt { numbers: 0..10_000, seed: 8, tolerance: 1e-8 }.of(&solvers, &|| ());
     assert_eq!(record.problems, 10_000);
     for tally in &record.tallies {
         assert_eq!(tally.false_claim_count, 0, "{} {:?}", tally.solver, tally.false_claims);
@@ -148,7 +148,11 @@ fn no_solver_of_cones_lies_about_a_contact_in_any_units() {
 #[test]
 fn a_hunt_counts_each_contact_of_each_solver_of_cones_once() {
     let settings = Settings::default().with_max_iterations(2000);
-    let [few, all] = [100, 200].map(|contacts| tallies(6, contacts, &settings));
+    let tallies = |contacts, settings| -> Vec<Tally> {
+        let hunt = Hunt { numbers: 0..0, seed: 6, tolerance: 1e-8 };
+        hunt.with_cones(contacts, &Stop::default(), settings, &Progress::default()).tallies
+    };
+    let [few, all] = [100, 200].map(|contacts| tallies(contacts, &settings));
     for (few, all) in few.iter().zip(&all) {
         assert_eq!(few.within + few.unsolved, 100);
         assert_eq!(
@@ -162,9 +166,7 @@ fn a_hunt_counts_each_contact_of_each_solver_of_cones_once() {
     // Without any steps only a start that is the answer is claimed.
     let none = Settings::default().with_max_iterations(0);
     assert!(
-        tallies(6, 200, &none)
-            .iter()
-            .all(|tally| tally.unsolved > 50 && tally.false_claim_count == 0)
+        tallies(200, &none).iter().all(|tally| tally.unsolved > 50 && tally.false_claim_count == 0)
     );
 }
 
@@ -203,7 +205,7 @@ fn the_record_is_the_same_on_any_number_of_threads() {
             Box::new(Liar(Status::Solved, 1.0)),
             Box::new(Pgs { settings: options.settings, ..Pgs::default() }),
         ];
-        pool.install(|| Hunt { problems: 200, seed: 2, tolerance: 1e-8 }.of(&liar, &|| ()))
+        pool.install(|| Hunt { numbers: 0..200, seed: 2, tolerance: 1e-8 }.of(&liar, &|| ()))
     };
     assert_eq!(record(1), record(2));
     assert_eq!(record(1), record(4));
