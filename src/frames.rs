@@ -136,10 +136,7 @@ fn name_of(path: &Path) -> String {
 
 fn object(path: &Path, most: Memory) -> Result<Value> {
     let input = path.display().to_string();
-    let value = json::parse(&file::read(path, most)?).map_err(|cause| {
-        let place = format!("line {}, column {}", cause.line(), cause.column());
-        Error::invalid(&input, place, format!("not valid JSON: {cause}"))
-    })?;
+    let value = json::read(&file::read(path, most)?, &input)?;
     match value.is_object() {
         true => Ok(value),
         false => Err(Error::invalid(input, "file", "must be a JSON object")),

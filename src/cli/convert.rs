@@ -60,6 +60,11 @@ impl Convert {
             print(&ALL.iter().map(description).collect::<String>())?;
             return Ok(Outcome::Good);
         };
+        if source.is_dir() && !files::is_problem(source) {
+            let reason =
+                "is a folder that is no problem of several files; convert its files one by one";
+            return Err(Error::invalid(source.display().to_string(), "file", reason));
+        }
         let mut problem = files::read_within(source, from, self.memory.max_memory)?;
         warn(&problem);
         if let Some(scale) = self.scale {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use lcplab::document::{Document, Format};
-use lcplab::error::Result;
+use lcplab::error::{Error, Result};
 use lcplab::file;
 
 use super::{Outcome, print, print_colored};
@@ -33,8 +33,25 @@ enum Form {
 }
 
 impl Writing {
+    /// Rejects a file whose extension is not that of a format.
+    ///
+    /// # Errors
+    /// If there is such a file.
+    fn check(&self) -> Result<()> {
+        let Some(path) = self.out.as_ref().filter(|_| self.format.is_none()) else { return Ok(()) };
+        match path.extension().map(|ending| ending.to_string_lossy()).as_deref() {
+            None | Some("txt" | "text" | "md" | "html") => Ok(()),
+            Some(ending) => {
+                let reason =
+                    format!("cannot be written as .{ending}: use .txt, .md or .html, or --format");
+                Err(Error::invalid(path.display().to_string(), "file", reason))
+            }
+        }
+    }
+
     /// Writes the document; the outcome is `Rejected` if it is not accepted.
     pub fn write(&self, document: &Document) -> Result<Outcome> {
+        self.check()?;
         let format = self.format();
         let text = document.written(format)?;
         match &self.out {

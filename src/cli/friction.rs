@@ -1,7 +1,7 @@
 //! Friction problems in `solve` and `judge`.
 
 use lcplab::error::Result;
-use lcplab::judge::{Demand, Verdict};
+use lcplab::judge::Demand;
 use lcplab::lcp::Question;
 use lcplab::lcp::file::number;
 use lcplab::number::counted;
@@ -56,35 +56,14 @@ pub fn solve(
         let status = status_text(word, message);
         let status =
             format!("status     {status}, {}\n", counted(solution.iterations, "iteration"));
-        print_text(
-            question,
-            title,
-            &(solver + &status + &attempts_text(&attempts)),
-            &solution.x,
-            &judged,
-        )?;
+        let claim = solver + &status + &attempts_text(&attempts);
+        print(&text(question, title, &claim, &solution.x, &judged))?;
     }
     Ok((outcome(&judged.certificate.verdict, stopped), solution))
 }
 
-/// Judges an answer and prints the verdict.
-pub fn judge(
-    question: &Question,
-    title: &str,
-    x: &[f64],
-    demand: &Demand,
-    json: bool,
-) -> Result<Verdict> {
-    let judged = JudgedAnswer::of(question, x, demand).searched(question.posed(), demand);
-    if json {
-        print_json(question, Map::new(), x, &judged)?;
-    } else {
-        print_text(question, title, "", x, &judged)?;
-    }
-    Ok(judged.certificate.verdict)
-}
-
-fn print_json(
+/// Prints the answer's object.
+pub fn print_json(
     question: &Question,
     mut object: Map<String, Value>,
     x: &[f64],
@@ -96,17 +75,18 @@ fn print_json(
     print(&format!("{}\n", Value::Object(object)))
 }
 
-fn print_text(
+/// The model, the claim of a solver and the verdict on its answer.
+pub fn text(
     question: &Question,
     title: &str,
     claim: &str,
     x: &[f64],
     judged: &JudgedAnswer,
-) -> Result<()> {
+) -> String {
     let model = question.model().zip(question.friction()).map(|(model, friction)| {
         format!("model      {model}, {}\n", counted(friction.contacts().len(), "contact"))
     });
     let model = model.unwrap_or_default();
     let motion = MotionError::text(question, x);
-    print(&format!("{title}\n{model}{claim}{}{motion}", judged.text()))
+    format!("{title}\n{model}{claim}{}{motion}", judged.text())
 }

@@ -6,9 +6,9 @@ use clap::Args;
 use dashu_ratio::RBig;
 use lcplab::error::{Error, Result};
 use lcplab::file::read;
+use lcplab::files;
 use lcplab::gradient::{Direction, Gradient, Pullback, Theirs};
 use lcplab::lcp::Question;
-use lcplab::lcp::file::read_answer;
 use lcplab::number::readable;
 use lcplab::report::answer::first_answer;
 use serde_json::{Map, Value};
@@ -77,7 +77,7 @@ impl Derivatives {
         let question = Question::new(&problem, None, &input)?;
         let n = question.require_boxed("derivatives are", &input)?.len();
         let x = match &self.answer {
-            Some(path) => read_answer(path, n, memory)?,
+            Some(path) => files::read_answers(path, n, memory)?.x,
             None => first_answer(&question),
         };
         let gradient = Gradient::of(&problem, &x)?;
@@ -159,7 +159,7 @@ fn pullback_text(heading: &str, pullback: &Pullback) -> String {
         text += &entries("mass", &motion.mass);
         text += &entries("jacobian", &motion.jacobian);
     }
-    text
+    if text.lines().count() == 1 { text + "  all entries are 0\n" } else { text }
 }
 
 /// The entries that are not 0 on a line; none if all are.

@@ -2,14 +2,15 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use lcplab::error::Result;
-use lcplab::judge::{Demand, Verdict, judge, printed_up};
+use lcplab::files;
+use lcplab::judge::{Certificate, Demand, Verdict, judge, printed_up};
 use lcplab::lcp::Question;
-use lcplab::lcp::file::{Problem, number, read_answers};
+use lcplab::lcp::file::{Problem, number};
 use lcplab::lcp::friction::Model;
 use lcplab::report::answer::{bound, certificate_text, json_object, searched};
-use lcplab::report::friction::JudgedAnswer as Judgement;
+use lcplab::report::friction::JudgedAnswer;
 use lcplab::report::loads::Loads;
 use lcplab::report::minimum::Descent;
 use lcplab::report::motion_error::MotionError;
@@ -22,7 +23,7 @@ use super::friction;
 use super::limits::MemoryLimit;
 use super::loads;
 use super::problem::{rows, title};
-use super::{Outcome, print, read_problem};
+use super::{Outcome, print, read_problem, say};
 
 /// Check answers from any program against a problem
 #[derive(Debug, Args)]
@@ -32,17 +33,17 @@ Examples:
   lcplab judge problem.json mine.json theirs.json     # a table, one answer per row
   lcplab judge friction.json answer.json --model coulomb-cone
 
-An answer file is a JSON object with the key \"x\". The key \"iterates\", a list of vectors, adds a row for \
-each of them; iterates do not change the exit code.
+An answer file is JSON, such as {\"x\": [0.5, 0]} or the list alone, NumPy's .npy, or .npz with the array x. In JSON the key \
+\"iterates\", a list of vectors, adds a row for each of them; iterates do not change the exit code.
 
 Exit codes:
-  0  every answer is accepted (with --fail-on within_tolerance: proved)
+  0  every answer is accepted (with --proved: proved)
   1  an answer is rejected (or not proved)
   2  invalid input or usage")]
 pub struct Judge {
     /// Problem file; its extension determines the format; - reads JSON from standard input
     problem: PathBuf,
-    /// Answer files: JSON objects with the key "x"
+    /// Answer files: JSON with the key "x", .npy, or .npz
     #[arg(required = true)]
     answers: Vec<PathBuf>,
     /// Friction model [default: the file's]
@@ -51,9 +52,9 @@ pub struct Judge {
     /// Largest scaled residual of an accepted answer
     #[arg(long, allow_negative_numbers = true, default_value = "1e-8")]
     tolerance: f64,
-    /// Exit with 1 if a verdict is this or worse
-    #[arg(long, value_enum, default_value_t = Worst::NotASolution)]
-    fail_on: Worst,
+    /// Exit with 1 unless every answer is proved
+    #[arg(long)]
+    proved: bool,
     #[command(flatten)]
     memory: MemoryLimit,
     /// Print the forces for each pair of bodies and for each contact, and mark the unique ones.
@@ -63,26 +64,6 @@ pub struct Judge {
     /// Print one JSON object
     #[arg(long)]
     json: bool,
-}
-
-/// Verdicts that a command may fail on, and on those that are worse.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-#[value(rename_all = "snake_case")]
-enum Worst {
-    /// Fail unless every answer is proved
-    WithinTolerance,
-    /// Fail if an answer is rejected
-    NotASolution,
-}
-
-impl Worst {
-    fn outcome(self, verdict: &Verdict) -> Outcome {
-        let passes = match self {
-            Worst::WithinTolerance => matches!(verdict, Verdict::Proved { .. }),
-            Worst::NotASolution => verdict.is_solution(),
-        };
-        if passes { Outcome::Good } else { Outcome::Rejected }
-    }
 }
 
 /// One x with the judge's verdict.
@@ -98,28 +79,46 @@ impl Judge {
         Settings::default().with_tolerance(self.tolerance).validate()?;
         let memory = self.memory.max_memory;
         let problem = read_problem(&self.problem, memory)?;
-        let read = |path: &PathBuf| read_answers(path, problem.lcp.len(), memory);
-        let answers = self.answers.iter().map(read).collect::<Result<Vec<_>>>()?;
+        let read = |path: &PathBuf| files::read_answers(path, problem.lcp.len(), memory);
         let input = self.problem.display().to_string();
         let question = Question::new(&problem, self.model, &input)?;
         if self.loads {
             loads::check(&question, &input)?;
         }
-        match answers.as_slice() {
-            [only] if only.iterates.is_empty() => self.one(&question, &only.x),
-            _ => {
-                let mut all = Vec::new();
-                for (path, answers) in self.answers.iter().zip(&answers) {
-                    let name = path.display().to_string();
-                    for (k, x) in answers.iterates.iter().enumerate() {
-                        let label = format!("{name}, iterate {}", k + 1);
-                        all.push(self.judged(label, &question, x, false));
-                    }
-                    all.push(self.judged(name, &question, &answers.x, true));
-                }
-                self.many(&problem, &all)
+        if let [path] = &self.answers[..] {
+            let only = read(path)?;
+            if only.iterates.is_empty() {
+                return self.one(&question, &only.x);
             }
         }
+        let (mut all, mut unreadable) = (Vec::new(), Vec::new());
+        for path in &self.answers {
+            let name = path.display().to_string();
+            let answers = match read(path) {
+                Ok(answers) => answers,
+                Err(error) => {
+                    unreadable.push(error);
+                    continue;
+                }
+            };
+            for (k, x) in answers.iterates.iter().enumerate() {
+                let label = format!("{name}, iterate {}", k + 1);
+                all.push(self.judged(label, &question, x, false));
+            }
+            all.push(self.judged(name, &question, &answers.x, true));
+        }
+        let outcome = if all.is_empty() { Outcome::Rejected } else { self.many(&problem, &all)? };
+        let last = unreadable.pop();
+        unreadable.iter().for_each(|error| say(&format!("error: {error}")));
+        last.map_or(Ok(outcome), Err)
+    }
+
+    fn outcome(&self, verdict: &Verdict) -> Outcome {
+        let passes = match self.proved {
+            true => matches!(verdict, Verdict::Proved { .. }),
+            false => verdict.is_solution(),
+        };
+        if passes { Outcome::Good } else { Outcome::Rejected }
     }
 
     fn demand(&self) -> Demand {
@@ -130,39 +129,35 @@ impl Judge {
     fn one(&self, question: &Question, x: &[f64]) -> Result<Outcome> {
         let (demand, problem) = (self.demand(), question.problem());
         if question.model().is_some() {
-            let verdict = friction::judge(question, &title(problem), x, &demand, self.json)?;
-            return Ok(self.fail_on.outcome(&verdict));
+            let judged = JudgedAnswer::of(question, x, &demand).searched(question.posed(), &demand);
+            match self.json {
+                true => friction::print_json(question, Map::new(), x, &judged)?,
+                false => print(&friction::text(question, &title(problem), "", x, &judged))?,
+            }
+            return Ok(self.outcome(&judged.certificate.verdict));
         }
         let certificate = judge(&problem.lcp, x, &demand);
         let certificate = searched(&problem.lcp, certificate, &demand);
-        let bound = bound(&problem.lcp, x, &certificate);
+        let loads = self.loads.then(|| Loads::of(question, x)).flatten();
         if self.json {
             let mut object = json_object(&certificate);
-            if let Some(bound) = bound {
+            if let Some(bound) = bound(&problem.lcp, x, &certificate) {
                 object.insert("error_bound".into(), number(printed_up(bound)));
             }
             object.extend(MotionError::json(question, x));
             if certificate.verdict.is_solution() {
                 object.extend(Descent::json(question, x));
             }
-            let loads = self.loads.then(|| Loads::of(question, x)).flatten();
             object.extend(loads.map(|loads| ("loads".to_string(), loads.json())));
             print(&format!("{}\n", Value::Object(object)))?;
         } else {
-            let text = title(problem) + "\n" + &certificate_text(&certificate, bound, problem);
-            let mut text = text + &MotionError::text(question, x);
-            if certificate.verdict.is_solution() {
-                text += &Descent::text(question, x);
-            }
-            let loads = self.loads.then(|| Loads::of(question, x)).flatten();
-            text += &loads.map(|loads| loads.text()).unwrap_or_default();
-            print(&(text + &rows(problem, x, &certificate)))?;
+            print(&certified(question, x, &certificate, loads.as_ref()))?;
         }
-        Ok(self.fail_on.outcome(&certificate.verdict))
+        Ok(self.outcome(&certificate.verdict))
     }
 
     fn judged(&self, label: String, question: &Question, x: &[f64], is_answer: bool) -> AnswerRow {
-        let certificate = Judgement::of(question, x, &self.demand()).certificate;
+        let certificate = JudgedAnswer::of(question, x, &self.demand()).certificate;
         let (verdict, scaled_residual) = (certificate.verdict, certificate.scaled_residual);
         AnswerRow { label, verdict, scaled_residual, is_answer }
     }
@@ -188,9 +183,37 @@ impl Judge {
             let headings = "answer | #scaled residual | verdict";
             print(&terminal::table(&Table::new(title(problem), "", headings, rows)))?;
         }
-        let fails =
-            |judged: &&AnswerRow| self.fail_on.outcome(&judged.verdict) == Outcome::Rejected;
+        let fails = |judged: &&AnswerRow| self.outcome(&judged.verdict) == Outcome::Rejected;
         let wrong = all.iter().filter(|judged| judged.is_answer).find(fails);
         Ok(wrong.map_or(Outcome::Good, |_| Outcome::Rejected))
     }
+}
+
+/// What `judge` prints about an answer.
+pub fn text(question: &Question, x: &[f64], demand: &Demand) -> String {
+    let problem = question.problem();
+    if question.model().is_some() {
+        let judged = JudgedAnswer::of(question, x, demand).searched(question.posed(), demand);
+        return friction::text(question, &title(problem), "", x, &judged);
+    }
+    let certificate = searched(&problem.lcp, judge(&problem.lcp, x, demand), demand);
+    certified(question, x, &certificate, None)
+}
+
+/// The certificate of an answer to a box, its motion, and its rows.
+fn certified(
+    question: &Question,
+    x: &[f64],
+    certificate: &Certificate,
+    loads: Option<&Loads>,
+) -> String {
+    let problem = question.problem();
+    let bound = bound(&problem.lcp, x, certificate);
+    let mut text = title(problem) + "\n" + &certificate_text(certificate, bound, problem);
+    text += &MotionError::text(question, x);
+    if certificate.verdict.is_solution() {
+        text += &Descent::text(question, x);
+    }
+    text += &loads.map(Loads::text).unwrap_or_default();
+    text + &rows(problem, x, certificate)
 }

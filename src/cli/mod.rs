@@ -51,6 +51,8 @@ use lcplab::number::plain;
 use lcplab::report::text::printable;
 use lcplab::solver::Reason;
 
+pub use judge::text as judged_text;
+
 use limits::{Limits, RAISE_MEMORY, TimeLimit, outlive_file_size_limit};
 
 /// Solve contact problems of rigid bodies, check the answers, and explain what goes wrong.
@@ -263,6 +265,16 @@ fn baseline_text(path: &Path) -> Result<String> {
         return Err(Error::File { path: path.display().to_string(), reason: reason.into() });
     }
     file::read(path, file::WRITTEN_BY_HAND)
+}
+
+/// The name under which runs compare a file: its path from the current folder, so that `fr/a.json`,
+/// `./fr//a.json` and its absolute path are one name.
+fn from_here(name: &str) -> String {
+    let here = std::env::current_dir().unwrap_or_default();
+    let path = Path::new(name);
+    let path: PathBuf = path.strip_prefix(&here).unwrap_or(path).components().collect();
+    let path = path.strip_prefix(".").unwrap_or(&path);
+    path.display().to_string()
 }
 
 /// The problem of a file, in the format of its extension; JSON by default.

@@ -5,12 +5,14 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use lcplab::error::{Error, Result};
 use lcplab::file;
+use lcplab::files;
+use lcplab::judge::Demand;
 use lcplab::lcp::Question;
 use lcplab::lcp::exact::SolutionSet;
-use lcplab::lcp::file::read_answer;
 use lcplab::lcp::friction::{Form, Model, ProblemForm};
 use lcplab::proof::{Kind, Proof, ProofSearch, check, prove, prove_different, prove_kind};
 use lcplab::report::answer::first_answer;
+use lcplab::report::friction::JudgedAnswer;
 use serde_json::json;
 
 use super::limits::MemoryLimit;
@@ -42,7 +44,8 @@ solution, cone-solution and body-solution can be proved (under the associated la
 
 Exit codes:
   0  a proof was written; with --all, there is a solution
-  1  nothing can be proved, for example if the residual is not finite; with --all, there is no solution
+  1  nothing can be proved, for example if the residual is not finite; the judge rejects ANSWER (a proof is written, but \
+it is about the problem, not about ANSWER); with --all, there is no solution
   2  invalid input or usage, or no proof was found under a friction cone or polygon")]
 pub struct Prove {
     /// Problem file; its extension determines the format; - reads JSON from standard input
@@ -107,13 +110,16 @@ impl Prove {
         if self.all {
             return self.all_solutions(&question, &input);
         }
-        let read = |path: &PathBuf| read_answer(path, problem.lcp.len(), memory);
+        let read = |path: &PathBuf| {
+            files::read_answers(path, problem.lcp.len(), memory).map(|read| read.x)
+        };
         let answer = match &self.answer {
             Some(path) => read(path)?,
             None => first_answer(&question),
         };
-        let found = match (&self.second, self.kind) {
-            (Some(path), _) => prove_different(&question, &answer, &read(path)?),
+        let second = self.second.as_ref().map(read).transpose()?;
+        let found = match (&second, self.kind) {
+            (Some(second), _) => prove_different(&question, &answer, second),
             (None, None) => prove(&question, &answer),
             (None, Some(kind)) => prove_kind(&question, &answer, kind),
         };
@@ -128,6 +134,20 @@ impl Prove {
             return Err(Error::invalid(input, "model", reason));
         }
         let ProofSearch { proof, missing } = found;
+        let answers = [(&self.answer, Some(&answer)), (&self.second, second.as_ref())];
+        let given = answers.into_iter().filter_map(|(path, x)| Some((path.as_ref()?, x?)));
+        let is_rejected = |(path, x): (&PathBuf, &Vec<f64>)| {
+            let verdict = JudgedAnswer::of(&question, x, &Demand::default()).certificate.verdict;
+            if verdict.is_solution() {
+                return false;
+            }
+            let path = path.display();
+            say(&format!(
+                "the judge rejects {path}: {verdict}; a proof is about the problem, not about this answer"
+            ));
+            true
+        };
+        let has_rejected = given.map(is_rejected).fold(false, |one, other| one | other);
         for (kind, reason) in &missing {
             say(&format!("no proof of kind {kind}: {reason}"));
         }
@@ -142,7 +162,7 @@ impl Prove {
             }
             None => print(&text)?,
         }
-        Ok(Outcome::Good)
+        Ok(if has_rejected { Outcome::Rejected } else { Outcome::Good })
     }
 
     /// Lists all solutions.

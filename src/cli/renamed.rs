@@ -10,12 +10,13 @@ const COMMANDS: [(&str, &str); 3] = [
 ];
 
 /// Old options: the command, the option, and what to use instead.
-const OPTIONS: [(&str, &str, &str); 14] = [
+const OPTIONS: [(&str, &str, &str); 15] = [
     ("simulate", "--formulation", "simulate SCENE --scheme NAME"),
     ("compare", "--formulation", "compare SCENE --scheme NAME"),
     ("compare", "--require-accepted", "test PROBLEMS --solver NAME or --plugin COMMAND"),
     ("export", "--formulation", "export SCENE --scheme NAME"),
     ("explain", "--formulation", "explain SCENE --scheme NAME"),
+    ("judge", "--fail-on", "judge PROBLEM ANSWER --proved"),
     ("report", "--redraw", "report FOLDER/results.json"),
     ("report", "--schema", "report --print schema"),
     ("report", "--pdf", "report --out FILE.pdf"),

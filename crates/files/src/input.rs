@@ -70,7 +70,11 @@ impl Input {
     /// # Errors
     /// If it cannot be read or is not UTF-8.
     pub fn text(&self) -> Result<String> {
-        String::from_utf8(self.bytes()?).map_err(|cause| {
+        let bytes = self.bytes()?;
+        if bytes.is_empty() {
+            return Err(Error::invalid(self.name(), "file", "is empty"));
+        }
+        String::from_utf8(bytes).map_err(|cause| {
             let good = &cause.as_bytes()[..cause.utf8_error().valid_up_to()];
             let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();
             Error::invalid(self.name(), format!("line {line}"), "is not text")

@@ -74,6 +74,7 @@ mod table;
 mod words;
 
 pub use input::Input;
+pub use npz::read_answers;
 pub use output::Output;
 pub use several::several;
 
@@ -184,6 +185,11 @@ impl Format {
 /// common prefix of several files.
 pub fn is_problem(path: &Path) -> bool {
     path == Path::new("-") || Format::of(path).is_some() || main_file(path).is_some()
+}
+
+/// Whether a name is that of the answer next to a frame, STEM.x.json.
+pub fn is_answer(path: &Path) -> bool {
+    path.to_str().is_some_and(|name| name.ends_with(".x.json"))
 }
 
 /// Reads a problem from a file, from standard input (`-`), or, for a format of several files, from

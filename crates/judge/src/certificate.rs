@@ -4,7 +4,7 @@ use std::fmt;
 
 use dashu_ratio::RBig;
 
-use super::{Refusal, Refutation, Verdict};
+use super::{Refutation, Verdict};
 use lcplab_lcp::accurate::Sum;
 use lcplab_lcp::merit::Sum as _;
 use lcplab_lcp::number::readable;
@@ -195,11 +195,7 @@ pub(super) fn measure(at: &Rows<'_>, residuals: &[Residual], tolerance: f64) -> 
         dual_infeasibility: infeasible,
         objective: objective.value(),
         duality_gap: if is_feasible && is_convex(lcp) { duality_gap.value() } else { f64::NAN },
-        verdict: Verdict::NotASolution {
-            row: worst_row,
-            amount: scaled_residual,
-            why: Refusal::Residual { tolerance },
-        },
+        verdict: Verdict::rejected(x, worst_row, scaled_residual, tolerance),
         rounded_by: None,
         evidence: None,
     }

@@ -184,8 +184,7 @@ fn verdict(
     demand: &Demand,
 ) -> Verdict {
     if !x.iter().all(|x| x.is_finite()) || !(amount <= demand.tolerance) {
-        let why = Refusal::Residual { tolerance: demand.tolerance };
-        return Verdict::NotASolution { row, amount, why };
+        return Verdict::rejected(x, row, amount, demand.tolerance);
     }
     if x.len() <= demand.prove_up_to
         && let Some(proof) = cone_proof(problem, x, Some(&vec![near(x); x.len()]))

@@ -59,11 +59,7 @@ fn judge_as_given(polyhedral: &Polyhedral, x: &[f64], demand: &Demand) -> Fricti
         residuals,
         scaled_residual,
         worst_row,
-        verdict: refusal(
-            worst_row,
-            scaled_residual,
-            Refusal::Residual { tolerance: demand.tolerance },
-        ),
+        verdict: Verdict::rejected(x, worst_row, scaled_residual, demand.tolerance),
         rounded_by: None,
         evidence: None,
     };

@@ -55,6 +55,8 @@ pub enum Refusal {
     NoBetterThanZero,
     /// The problem has no solution.
     Impossible,
+    /// x is not a finite number in this row.
+    NotFinite,
 }
 
 impl Verdict {
@@ -97,10 +99,19 @@ impl Verdict {
         }
     }
 
+    /// The verdict on an x whose residual, which is largest in this row, is above the tolerance.
+    pub(crate) fn rejected(x: &[f64], row: usize, amount: f64, tolerance: f64) -> Verdict {
+        match x.iter().position(|x| !x.is_finite()) {
+            Some(row) => Verdict::NotASolution { row, amount, why: Refusal::NotFinite },
+            None => Verdict::NotASolution { row, amount, why: Refusal::Residual { tolerance } },
+        }
+    }
+
     /// The verdict once it is known that the problem has no solution. An x with a residual above
     /// the tolerance is still rejected for its residual.
     pub(crate) fn refused(self, row: usize, amount: f64) -> Verdict {
         let why = match self {
+            Verdict::NotASolution { why: Refusal::NotFinite, .. } => return self,
             Verdict::NotASolution { why: why @ Refusal::Residual { .. }, .. } => why,
             _ => Refusal::Impossible,
         };
@@ -132,6 +143,9 @@ impl std::fmt::Display for Verdict {
                     f,
                     "not a solution: scaled residual {amount} in row {row}, above the tolerance {tolerance}"
                 )
+            }
+            Verdict::NotASolution { row, why: Refusal::NotFinite, .. } => {
+                write!(f, "not a solution: x[{row}] is not a finite number")
             }
             Verdict::NotASolution { why: Refusal::NoBetterThanZero, .. } => {
                 write!(

@@ -35,7 +35,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[non_exhaustive]
 pub enum Error {
     /// A file that cannot be read or written, or a directory that cannot be made.
-    #[error("{path}: {reason}")]
+    #[error("{}: {reason}", input_name(path))]
     File {
         /// The path as the user gave it.
         path: String,
@@ -182,9 +182,18 @@ fn names(name: &str, known: &[String]) -> String {
     format!("{}, such as {}", known.len(), nearest.join(", "))
 }
 
+/// The input in messages: - is standard input.
+fn input_name(input: &str) -> &str {
+    if input == "-" { "standard input" } else { input }
+}
+
 fn list(input: &str, defects: &[Defect]) -> String {
-    if let [only] = defects {
-        return format!("{input}: {only}");
+    let input = input_name(input);
+    match defects {
+        // About the whole file.
+        [Defect { place, reason }] if place == "file" => return format!("{input}: {reason}"),
+        [only] => return format!("{input}: {only}"),
+        _ => {}
     }
     let mut text = format!("{input}: {} defects", defects.len());
     for defect in defects.iter().take(LISTED) {

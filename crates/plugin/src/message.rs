@@ -177,10 +177,23 @@ fn numbers(value: &Value, what: &str, n: usize) -> Result<Vec<f64>, String> {
     list.iter().enumerate().map(number).collect()
 }
 
+/// Maximum number of characters of a text that a message quotes.
+const SHOWN: usize = 80;
+
 /// The start of a text in one line, without control characters.
 pub(super) fn brief(text: &str) -> String {
-    const SHOWN: usize = 80;
-    let shown: String =
-        text.chars().take(SHOWN).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let shown = on_one_line(text.chars().take(SHOWN));
     if text.chars().nth(SHOWN).is_some() { shown + "…" } else { shown }
+}
+
+/// The same for the end of a text, which says what was wrong.
+pub(super) fn brief_end(text: &str) -> String {
+    const END: usize = 300;
+    let surplus = text.chars().count().saturating_sub(END);
+    let shown = on_one_line(text.chars().skip(surplus));
+    if surplus > 0 { format!("…{shown}") } else { shown }
+}
+
+fn on_one_line(text: impl Iterator<Item = char>) -> String {
+    text.map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

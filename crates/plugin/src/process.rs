@@ -13,7 +13,7 @@ use std::thread;
 use std::time::Duration;
 
 use super::group::ProcessGroup;
-use super::message::brief;
+use super::message::brief_end;
 
 /// The number of bytes kept from its standard error.
 const COMPLAINT: usize = 4096;
@@ -126,7 +126,7 @@ impl Process {
         let mut kept = self.complaint.lock().unwrap_or_else(PoisonError::into_inner);
         let text = String::from_utf8_lossy(kept.make_contiguous()).into_owned();
         match text.lines().rev().find(|line| !line.trim().is_empty()) {
-            Some(last) => format!("{status}: {}", brief(last)),
+            Some(last) => format!("{status}: {}", brief_end(last.trim())),
             None => status,
         }
     }

@@ -7,7 +7,7 @@ use lcplab_judge::cases::Tree;
 use lcplab_judge::{Dependence, RowState};
 use lcplab_lcp::error::{Error, Result};
 use lcplab_lcp::friction::Model;
-use lcplab_lcp::json::parse;
+use lcplab_lcp::json::read as read_json;
 
 use crate::claim::{Bounded, Claim, Entry, Fraction, Motion, Near, Proof, Reason, Region, Vector};
 
@@ -73,7 +73,7 @@ impl Proof {
     /// If the text violates the format.
     pub fn parse(text: &str, input: &str) -> Result<Proof> {
         let wrong = |(key, reason): (String, String)| Error::invalid(input, key, reason);
-        let value = parse(text).map_err(|cause| wrong(("file".into(), cause.to_string())))?;
+        let value = read_json(text, input)?;
         read(&value).map_err(wrong)
     }
 }

@@ -107,7 +107,11 @@ impl Compare {
         let [input] = &self.inputs[..] else { return None };
         let path = Path::new(input);
         let is_family = library::by_name(input).is_ok() && catalogue::text(input).is_none();
-        let is_problem = files::is_problem(path) || path.is_dir() || input.contains('*');
+        let is_missing_folder = input.ends_with('/') || input.contains('/') && !path.exists();
+        let is_problem = files::is_problem(path)
+            || path.is_dir()
+            || input.contains('*')
+            || (is_missing_folder && !input.ends_with(".toml"));
         let is_scene = !is_family && !is_problem && !input.starts_with(FAMILY);
         is_scene.then(|| input.clone())
     }

@@ -19,7 +19,7 @@ use lcplab::simulation::Simulation;
 use lcplab::solver::{Method, Registry};
 
 use super::limits::MemoryLimit;
-use super::options::{Choices, SolverArgs, model_names, with_default};
+use super::options::{Choices, SolverArgs, iterations, model_names, with_default};
 use super::plugin::Plugins;
 
 /// A scene, and what to change in it.
@@ -74,7 +74,7 @@ pub struct SolveArgs {
     #[arg(long, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Maximum number of sweeps or pivots in a solve [default: the scene's]
-    #[arg(long, visible_alias = "sweeps")]
+    #[arg(long, visible_alias = "sweeps", allow_negative_numbers = true, value_parser = iterations)]
     max_iterations: Option<usize>,
     #[command(flatten)]
     memory: MemoryLimit,

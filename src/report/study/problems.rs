@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::families;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::files;
 use crate::lcp::file::Problem;
 use crate::lcp::library;
@@ -29,6 +29,10 @@ pub fn named(name: &str, seeds: u32, most: Memory) -> Result<Vec<Named>> {
     match files::several(name, files::is_problem)? {
         Some(files) => files.iter().map(|file| read(file)).collect(),
         None if files::is_problem(Path::new(name)) => Ok(vec![read(name)?]),
+        None if name.contains(['/', '\\', '*']) => {
+            let reason = "there is no such file or folder".to_string();
+            Err(Error::File { path: name.into(), reason })
+        }
         None => Err(unknown),
     }
 }

@@ -93,7 +93,7 @@ fn what_is_not_there_is_one_message() {
         (&["diagnose", "nothing"], "there is no scene file or shipped scene named \"nothing\""),
         (
             &["diagnose", "-", "--step", "2"],
-            "-: --step: applies to scenes, but the input is a problem",
+            "standard input: --step: applies to scenes, but the input is a problem",
         ),
     ] {
         let output = run(arguments);

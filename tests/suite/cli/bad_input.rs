@@ -9,13 +9,13 @@ fn bad_input_exits_with_2_and_one_message() {
     assert!(err(&no_file).starts_with("error: no such file.json: "));
     let no_json = run_with("{", &["solve", "-"]);
     assert_eq!((no_json.status.code(), out(&no_json)), (Some(2), String::new()));
-    assert!(err(&no_json).starts_with("error: -: line 1, column 1: not valid JSON"));
+    assert!(err(&no_json).starts_with("error: standard input: line 1, column 1: not valid JSON"));
     let pythons =
         run_with(r#"{"A": {"dense": [[1]]}, "b": [-1], "hi": [Infinity]}"#, &["solve", "-"]);
     assert!(err(&pythons).contains(r#"write "inf", "-inf" or "nan" with quotation marks"#));
-    assert_eq!(err(&run_with("\n", &["solve", "-"])), "error: -: file: is empty\n");
+    assert_eq!(err(&run_with("\n", &["solve", "-"])), "error: standard input: is empty\n");
     let marked = run_with(&format!("\u{feff}{GOOD}"), &["solve", "-"]);
-    assert!(err(&marked).starts_with("error: -: file: begins with a byte order mark"));
+    assert!(err(&marked).starts_with("error: standard input: begins with a byte order mark"));
     let no_solver = run_with(GOOD, &["solve", "-", "--solver", "magic"]);
     assert_eq!(no_solver.status.code(), Some(2));
     assert!(

@@ -77,9 +77,13 @@ fn models_that_do_not_fit_are_bad_usage_with_one_message() {
         (
             GOOD,
             ["--model", "coulomb-cone"],
-            "error: -: friction_index: is missing: coulomb-cone is",
+            "error: standard input: friction_index: is missing: coulomb-cone is",
         ),
-        (GOOD, ["--solver", "cone-pgs"], "error: -: friction_index: is missing: coulomb-cone is"),
+        (
+            GOOD,
+            ["--solver", "cone-pgs"],
+            "error: standard input: friction_index: is missing: coulomb-cone is",
+        ),
         (
             &pushed(),
             ["--model", "sphere"],
@@ -103,7 +107,11 @@ fn models_that_do_not_fit_are_bad_usage_with_one_message() {
     let mut unfrozen: Value = serde_json::from_str(&pushed()).unwrap();
     unfrozen.as_object_mut().unwrap().remove("frozen_at");
     let output = run_with(&unfrozen.to_string(), &["solve", "-", "--model", "frozen-box"]);
-    assert!(err(&output).starts_with("error: -: frozen_at: is missing"), "{}", err(&output));
+    assert!(
+        err(&output).starts_with("error: standard input: frozen_at: is missing"),
+        "{}",
+        err(&output)
+    );
 }
 
 #[test]

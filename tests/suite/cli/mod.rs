@@ -31,6 +31,7 @@ mod solve;
 mod surroundings;
 mod test;
 mod usage;
+mod wording;
 mod writing;
 
 use std::io::Write;

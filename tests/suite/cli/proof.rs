@@ -242,3 +242,19 @@ fn more_solutions_than_can_be_listed_are_refused_in_one_line() {
     assert!(err(&refused).trim_end().ends_with(reported), "{}", err(&refused));
     assert_eq!(err(&refused).lines().count(), 1, "{}", err(&refused));
 }
+
+#[test]
+fn a_proof_from_a_rejected_answer_is_about_the_problem_alone() {
+    // x = (1.5, 0) is the solution.
+    let (folder, problem, proof) = folder(r#"{"A": {"dense": [[2, 0], [0, 1]]}, "b": [-3, 1]}"#);
+    let wrong = folder.path().join("wrong.json");
+    fs::write(&wrong, r#"{"x": [1.6, 0]}"#).unwrap();
+    let output = lcplab("prove", &[&problem, &wrong], &["--out", proof.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(1));
+    let first = format!("the judge rejects {}: not a solution: ", wrong.display());
+    assert!(err(&output).starts_with(&first), "{}", err(&output));
+    assert!(err(&output).contains("in row 0"), "{}", err(&output));
+    assert_eq!(lcplab("check", &[&problem, &proof], &[]).status.code(), Some(0));
+    fs::write(&wrong, r#"{"x": [1.5, 0]}"#).unwrap();
+    assert_eq!(lcplab("prove", &[&problem, &wrong], &[]).status.code(), Some(0));
+}

@@ -151,7 +151,7 @@ fn an_endless_input_is_refused_at_the_limit() {
     let zeros = run(&["solve", "/dev/zero", "--max-memory", "1MB"]);
     assert_refused(&zeros, &format!("/dev/zero: {more}"));
     let yes = sh("yes | lcplab solve - --max-memory 1MB");
-    assert_refused(&yes, &format!("-: {more}"));
+    assert_refused(&yes, &format!("standard input: {more}"));
     let answer = run_with(GOOD, &["judge", "-", "/dev/zero", "--max-memory", "1MB"]);
     assert_refused(&answer, &format!("/dev/zero: {more}"));
     for command in

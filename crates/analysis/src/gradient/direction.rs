@@ -52,8 +52,7 @@ impl Direction {
     /// # Errors
     /// If the text is not such an object.
     pub fn read(text: &str, input: &str) -> Result<Self> {
-        let invalid = |why: serde_json::Error| Error::invalid(input, "file", why.to_string());
-        serde_json::from_str(text).map_err(invalid)
+        serde_json::from_str(text).map_err(|cause| lcplab_lcp::json::fault(text, input, &cause))
     }
 
     fn is_of_motion(&self) -> bool {

@@ -131,6 +131,10 @@ impl Gradient {
             let reason = format!("has {} rows; derivatives are exact up to 150 rows", lcp.len());
             return Err(Error::invalid("problem", "A", reason));
         }
+        if let Some(i) = x.iter().position(|x| !x.is_finite()) {
+            let reason = format!("is {}, must be a finite number", x[i]);
+            return Err(Error::invalid("answer", format!("x[{i}]"), reason));
+        }
         let demand = Demand { prove_up_to: Demand::EXACT_ROWS, ..Demand::default() };
         let verdict = judge(lcp, x, &demand).verdict;
         let proof = prove(lcp, x).filter(|_| matches!(verdict, Verdict::Proved { .. }));

@@ -48,7 +48,7 @@ impl Theirs {
     /// If the matrix is missing or is not n × n, or a number is impossible.
     pub fn read(text: &str, input: &str, n: usize) -> Result<Self> {
         let wrong = |key: &str, reason: String| Error::invalid(input, key, reason);
-        let value = lcplab_lcp::json::parse(text).map_err(|why| wrong("file", why.to_string()))?;
+        let value = lcplab_lcp::json::read(text, input)?;
         let entry = |value: &Value| lcplab_lcp::file::as_number(value);
         let row = |row: &Value| row.as_array()?.iter().map(entry).collect::<Option<Vec<f64>>>();
         let rows = value["dx_db"].as_array().and_then(|rows| rows.iter().map(row).collect());

@@ -156,6 +156,18 @@ impl Array {
     }
 }
 
+/// The number with these bits in 16-bit floating point: sign, 5 bits of exponent, 10 of fraction.
+fn half(bits: u16) -> f64 {
+    let (exponent, fraction) = (i32::from(bits >> 10 & 0x1f), f64::from(bits & 0x3ff));
+    let size = match exponent {
+        0x1f if fraction == 0.0 => f64::INFINITY,
+        0x1f => f64::NAN,
+        0 => fraction * 2f64.powi(-24),
+        _ => (1024.0 + fraction) * 2f64.powi(exponent - 25),
+    };
+    if bits >> 15 == 1 { -size } else { size }
+}
+
 /// The type of an entry.
 struct Kind {
     is_big_endian: bool,
@@ -173,7 +185,7 @@ impl Kind {
         };
         let size: Option<usize> = std::str::from_utf8(size).ok().and_then(|size| size.parse().ok());
         let size = match (letter, size) {
-            (b'f', Some(size @ (4 | 8))) | (b'i' | b'u', Some(size @ (1 | 2 | 4 | 8))) => size,
+            (b'f', Some(size @ (2 | 4 | 8))) | (b'i' | b'u', Some(size @ (1 | 2 | 4 | 8))) => size,
             (b'S', Some(size @ 1..=MOST_LETTERS)) => size,
             // Four bytes per character.
             (b'U', Some(size @ 1..=MOST_LETTERS)) => 4 * size,
@@ -186,6 +198,7 @@ impl Kind {
         let entries = bytes.chunks_exact(self.size).map(|entry| self.ordered(entry));
         Ok(match self.letter {
             b'f' if self.size == 8 => Values::Floats(entries.map(f64::from_bits).collect()),
+            b'f' if self.size == 2 => Values::Floats(entries.map(|e| half(e as u16)).collect()),
             b'f' => Values::Floats(entries.map(|e| f64::from(f32::from_bits(e as u32))).collect()),
             b'u' => {
                 let whole = |e| i64::try_from(e).map_err(|_| format!("has {e}, beyond 2⁶³"));

@@ -37,6 +37,7 @@ mod frame;
 mod header;
 
 use std::io::{Cursor, Read, Write};
+use std::path::Path;
 
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
@@ -47,7 +48,8 @@ use super::{Format, Input, Output};
 use array::{Array, Outline};
 use lcplab_lcp::Matrix;
 use lcplab_lcp::error::{Error, Result};
-use lcplab_lcp::file::{Entries, Problem};
+use lcplab_lcp::file::{Answers, Entries, Problem};
+use lcplab_lcp::memory::Memory;
 
 /// NumPy's archives of arrays.
 pub const FORMAT: Format = Format {
@@ -98,6 +100,41 @@ fn read(input: &Input) -> Result<Problem> {
     };
     let lcp = parts(table, vector, &name)?.into_lcp().map_err(|error| error.within(&name))?;
     Ok(Problem::new(input.stem(), lcp))
+}
+
+/// An answer to a problem of n rows: the vector of a `.npy` file, or the array x of a `.npz` file;
+/// any other file is read as JSON, as by [`read_answers`](lcplab_lcp::file::read_answers).
+///
+/// ```
+/// use lcplab_lcp::memory::Memory;
+///
+/// let path = std::env::temp_dir().join("lcplab-answer.json");
+/// std::fs::write(&path, "[0.5, 0]").unwrap();
+/// assert_eq!(lcplab_files::read_answers(&path, 2, Memory::default())?.x, [0.5, 0.0]);
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
+///
+/// # Errors
+/// If the file cannot be read or has no vector of `n` numbers.
+pub fn read_answers(path: &Path, n: usize, most: Memory) -> Result<Answers> {
+    let is = |end: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(end));
+    let (file, input) = (Input::new(path, most), path.display().to_string());
+    let array = match (is("npy"), is("npz")) {
+        (true, _) => {
+            let mut bytes = Cursor::new(file.bytes()?);
+            let bytes = &mut bytes as &mut dyn Read;
+            let array = Outline::read(bytes).and_then(|outline| outline.filled(bytes));
+            Some(array.map_err(|reason| Error::invalid(&input, "file", reason))?)
+        }
+        (_, true) => Archive::open(&file, &input)?.array("x")?,
+        _ => return lcplab_lcp::file::read_answers(path, n, most),
+    };
+    let fault = |reason: String| Error::invalid(&input, "x", reason);
+    let x = array.ok_or_else(|| fault("is missing".into()))?.vector().map_err(fault)?;
+    match x.len() == n {
+        true => Ok(Answers { x, iterates: Vec::new() }),
+        false => Err(fault(format!("has length {}, the problem has {n} rows", x.len()))),
+    }
 }
 
 /// The arrays stored with the matrix.
@@ -190,7 +227,7 @@ struct Archive<'a> {
 impl<'a> Archive<'a> {
     fn open(file: &Input, input: &'a str) -> Result<Self> {
         let zip = ZipArchive::new(Cursor::new(file.bytes()?))
-            .map_err(|cause| Error::invalid(input, "archive", cause.to_string()))?;
+            .map_err(|_| Error::invalid(input, "file", "is no .npz archive, or is cut off"))?;
         Ok(Archive { input, zip, budget: Budget::new(file.most()) })
     }
 

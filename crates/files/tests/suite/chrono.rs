@@ -63,19 +63,19 @@ fn each_defect_has_its_file() {
         move |folder: &Path| std::fs::write(folder.join(name), text).unwrap()
     };
     let without = message(|folder| std::fs::remove_file(folder.join("dump_fric.dat")).unwrap());
-    assert!(without.starts_with("dump_fric.dat: file: is missing; write one"), "{without}");
+    assert!(without.starts_with("dump_fric.dat: is missing; write one"), "{without}");
     let cases = [
         (
             "dump_fric.dat",
             "-2 0.5 -1 -2",
             "dump_fric.dat: number 1: must be -2, or mu followed by -1 and -1",
         ),
-        ("dump_fric.dat", "-2", "dump_fric.dat: file: has 1 numbers, b has 4"),
-        ("dump_f.dat", "1 2 3", "dump_H.dat: file: has an entry at 3, 3 (from 0), outside 3 × 3"),
+        ("dump_fric.dat", "-2", "dump_fric.dat: has 1 numbers, b has 4"),
+        ("dump_f.dat", "1 2 3", "dump_H.dat: has an entry at 3, 3 (from 0), outside 3 × 3"),
         ("dump_f.dat", "1 2 3 x", "dump_f.dat: line 1: number 3 must be a number, is \"x\""),
-        ("dump_H.dat", "0 1 2", "dump_H.dat: file: is not symmetric"),
+        ("dump_H.dat", "0 1 2", "dump_H.dat: is not symmetric"),
         ("dump_H.dat", "0 0 -2", "dump_Cq.dat: H: is not positive definite"),
-        ("dump_E.dat", "0 1 2", "dump_E.dat: file: is not a diagonal"),
+        ("dump_E.dat", "0 1 2", "dump_E.dat: is not a diagonal"),
         ("dump_Cq.dat", "0 0", "dump_Cq.dat: line 1: the file ends before its value"),
     ];
     for (name, text, expected) in cases {

@@ -41,7 +41,7 @@ fn a_global_problem_becomes_the_problem_in_impulses() {
 
 #[test]
 fn what_is_no_hdf5_is_refused() {
-    assert!(message("fclib", "\u{89}HDF, but nothing else").starts_with("p: file: "));
+    assert!(message("fclib", "\u{89}HDF, but nothing else").starts_with("p: "));
 }
 
 /// A file of contacts without friction whose zeros are packed a thousandfold, with so many of them

@@ -61,7 +61,7 @@ fn sizes_are_not_believed() {
     let three = "%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n";
     assert!(message("matrix-market", three).contains("the file ends before row 2, column 2"));
     let none = format!("%%MatrixMarket matrix array real general\n0 {huge}\n");
-    assert!(message("matrix-market", &none).contains("_b: file: is missing"));
+    assert!(message("matrix-market", &none).contains("_b: is missing"));
     let entries = format!("%%MatrixMarket matrix coordinate real general\n{huge} {huge} {huge}\n");
     assert!(message("matrix-market", &entries).contains("the file ends before row of entry 1"));
     let dense = format!("{huge} 0 {huge} {huge} {huge} {huge} 1");

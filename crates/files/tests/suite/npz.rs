@@ -38,7 +38,9 @@ fn a_matrix_alone_is_no_problem() {
 
 #[test]
 fn what_is_no_archive_is_refused() {
-    assert!(message("npz", "PK, but nothing else").starts_with("p: archive: "));
+    assert!(
+        message("npz", "PK, but nothing else").starts_with("p: is no .npz archive, or is cut off")
+    );
 }
 
 proptest! {

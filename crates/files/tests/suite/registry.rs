@@ -77,7 +77,7 @@ fn files_of_another_kind_are_named() {
         let path = folder.path().join(name);
         std::fs::write(&path, bytes).unwrap();
         let error = files::read(&path, None).unwrap_err().to_string();
-        error.split_once(": file: ").map(|(_, reason)| reason.to_string()).unwrap_or(error)
+        error.split_once(": ").map(|(_, reason)| reason.to_string()).unwrap_or(error)
     };
     let matlab = b"MATLAB 5.0 MAT-file, Platform: GLNXA64\0\x01IM\xff\xff";
     assert!(message("CVXQP1_S.npz", matlab).starts_with("is a MATLAB file, but its name"));

@@ -149,8 +149,8 @@ fn rows_of_a_listing_are_not_taken_for_columns() {
 #[test]
 fn each_defect_has_its_line() {
     let cases = [
-        ("", "p: file: has no numbers"),
-        ("only words", "p: file: has no numbers"),
+        ("", "p: has no numbers"),
+        ("only words", "p: has no numbers"),
         ("2 0 2 2 2 3", "p: line 1: 2 × 3 here, 2 × 2 before"),
         ("1\n2\n1\n1", "p: line 4: the file ends before the origin of M"),
         ("1\n2\n1\n1\n1\nno 1", "p: line 6: the listing of M must begin with CSparse"),

@@ -370,6 +370,8 @@ pub fn read_answer(path: &Path, n: usize, most: Memory) -> Result<Vec<f64>> {
 /// let answers = read_answers(&path, 2, Memory::default())?;
 /// assert_eq!(answers.iterates, [[0.5, 0.25]]);
 /// assert!(read_answer(&path, 3, Memory::default()).is_err()); // the problem has 3 rows
+/// std::fs::write(&path, "[0.5, 0]").unwrap(); // the list alone
+/// assert_eq!(read_answer(&path, 2, Memory::default())?, [0.5, 0.0]);
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -380,13 +382,21 @@ pub struct Answers {
     pub iterates: Vec<Vec<f64>>,
 }
 
-/// The vectors under the keys `x` and `iterates` of an answer file.
+/// The vectors under the keys `x` and `iterates` of an answer file, or the list x alone.
 ///
 /// # Errors
 /// As [`read_answer`], and if an iterate is not a vector of `n` numbers.
 pub fn read_answers(path: &Path, n: usize, most: Memory) -> Result<Answers> {
     let input = path.display().to_string();
-    let mut object = parse_object(&read_text(path, most)?, &input)?;
+    let text = read_text(path, most)?;
+    if !text.trim_start().starts_with(['{', '[']) && !text.trim().is_empty() {
+        let reason = "is no answer file, which is JSON: {\"x\": [0.5, 0]}";
+        return Err(Error::invalid(input, "file", reason));
+    }
+    let mut object = match json::read(&text, &input)? {
+        Value::Object(object) => object,
+        list => Map::from_iter([("x".to_string(), list)]),
+    };
     let mut defects = Defects::default();
     let mut vector = |object: &Map<String, Value>, key: &str| {
         let before = defects.len();
@@ -427,34 +437,8 @@ fn read_text(path: &Path, most: Memory) -> Result<String> {
 }
 
 fn parse_object(text: &str, input: &str) -> Result<Map<String, Value>> {
-    if text.starts_with('\u{feff}') {
-        let reason = "begins with a byte order mark; save it as UTF-8 without one";
-        return Err(Error::invalid(input, "file", reason));
+    match json::read(text, input)? {
+        Value::Object(object) => Ok(object),
+        _ => Err(Error::invalid(input, "file", "must be a JSON object")),
     }
-    if text.trim().is_empty() {
-        return Err(Error::invalid(input, "file", "is empty"));
-    }
-    match json::parse(text) {
-        Ok(Value::Object(object)) => Ok(object),
-        Ok(_) => Err(Error::invalid(input, "file", "must be a JSON object")),
-        Err(cause) => {
-            let place = format!("line {}, column {}", cause.line(), cause.column());
-            let not_json = if cause.is_data() { "" } else { "not valid JSON: " };
-            let reason = cause.to_string();
-            // serde_json repeats the place at the end.
-            let reason = reason.split(" at line ").next().unwrap_or(&reason);
-            let hint = match at_number_word(text, &cause) {
-                true => "; write \"inf\", \"-inf\" or \"nan\" with quotation marks",
-                false => "",
-            };
-            Err(Error::invalid(input, place, format!("{not_json}{reason}{hint}")))
-        }
-    }
-}
-
-/// Whether the parser stopped at a number that other programs write but JSON does not have.
-fn at_number_word(text: &str, cause: &serde_json::Error) -> bool {
-    let line = text.lines().nth(cause.line().saturating_sub(1)).unwrap_or_default();
-    let at: String = line.chars().skip(cause.column().saturating_sub(2)).take(12).collect();
-    ["Infinity", "NaN", "inf", "nan"].iter().any(|word| at.contains(word))
 }

@@ -144,7 +144,7 @@ fn an_exact_solution_is_integers_over_the_least_denominator() {
 #[test]
 fn each_defect_has_its_message() {
     let cases = [
-        ("[1]", "p.json: file: must be a JSON object"),
+        ("[1]", "p.json: must be a JSON object"),
         (r#"{"A": {"dense": [[1]]}}"#, "p.json: b: is missing"),
         (r#"{}"#, "p.json: 2 defects\n  A: is missing\n  b: is missing"),
         (r#"{"A": 3, "b": [1]}"#, "p.json: A: must be an object with \"dense\" or \"triplets\""),

@@ -54,7 +54,17 @@ pub(super) fn table(path: &str, text: &str, changes: &[(String, String)]) -> Res
 fn apply(path: &str, table: &mut Table, (key, value): &(String, String)) -> Result<()> {
     let short = SHORT.iter().find(|(short, _)| short == key);
     let key = short.map_or(key.as_str(), |(_, long)| long);
-    set(table, key, value).map_err(|reason| Error::invalid(path, key, reason))
+    let is_generated = table.contains_key("generate");
+    set(table, key, value).map_err(|reason| {
+        let hint = match (is_generated, key.split_once('.')) {
+            (true, Some(("bodies", own))) => {
+                let field = own.rsplit('.').next().unwrap_or(own);
+                format!(": it is made by [generate]; set generate.{field}, or list the bodies")
+            }
+            _ => String::new(),
+        };
+        Error::invalid(path, key, reason + &hint)
+    })
 }
 
 /// Sets the field with this name; creates missing tables.

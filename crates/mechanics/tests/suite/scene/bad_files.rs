@@ -433,7 +433,7 @@ fn a_function_of_time_ascends_and_stands_where_it_can_act() {
 fn a_model_of_another_program_is_named_with_the_command_that_imports_it() {
     assert_eq!(
         message("<?xml version=\"1.0\"?>\n<mujoco model=\"stack\"/>"),
-        "bad.toml: file: is a MuJoCo model (MJCF); the Python package writes it as a scene: \
+        "bad.toml: is a MuJoCo model (MJCF); the Python package writes it as a scene: \
          python -m lcplab import"
     );
     assert!(message("<robot name=\"arm\">").contains("is a URDF model"));
