@@ -10,7 +10,7 @@ use lcplab::report::study::receipt::{Baseline, Receipt, Run};
 use serde_json::Value;
 
 use super::limits::MemoryLimit;
-use super::{Outcome, baseline_text, print, say};
+use super::{Outcome, baseline_text, from_here, print, say};
 use crate::frames::Frame;
 
 /// Check recorded steps of a physics engine, and compare with a recorded run
@@ -35,8 +35,8 @@ as worse.
 Exit codes:
   0  the run is ok, or the baseline was written. A run is ok if each rejected frame is rejected at the same \
 stage in the baseline (without a baseline: no frame is rejected), at least one frame (without a baseline: at least half \
-of the frames with rows) has the verdict ok or wrong, no frame and no check of the baseline is missing, and the run is \
-not worse
+of the frames with rows) has the verdict ok or wrong, no frame (except with --allow-missing) and no check of the baseline is \
+missing, and the run is not worse
   1  the run is not ok
   2  invalid input or usage, such as a frame without an answer or a negative compliance")]
 pub struct Receipts {
@@ -54,6 +54,9 @@ pub struct Receipts {
     /// Write this run to the baseline file
     #[arg(long, requires = "baseline")]
     update: bool,
+    /// Do not fail if frames of the baseline are missing
+    #[arg(long, requires = "baseline")]
+    allow_missing: bool,
     /// Write the results as JUnit XML
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
@@ -94,8 +97,9 @@ impl Receipts {
             receipts.extend(Receipt::of_all(steps, self.limit)?);
         }
         let receipts = receipts.into_iter().map(Arc::new);
-        let named = frames.iter().map(Frame::name).zip(receipts).collect();
+        let named = frames.iter().map(|frame| from_here(&frame.name())).zip(receipts).collect();
         let run = Run::new(named, baseline);
+        let run = if self.allow_missing { run.allowing_missing() } else { run };
         self.write(&run, &frames)?;
         match self.json {
             true => print(&format!("{}\n", Value::Object(run.details())))?,
@@ -107,7 +111,8 @@ impl Receipts {
     /// The baseline to compare with; none if this run becomes the baseline.
     fn recorded(&self) -> Result<Option<Baseline>> {
         let Some(path) = self.baseline.as_ref().filter(|_| !self.update) else { return Ok(None) };
-        Baseline::from_json(&path.display().to_string(), &baseline_text(path)?).map(Some)
+        let baseline = Baseline::from_json(&path.display().to_string(), &baseline_text(path)?)?;
+        Ok(Some(baseline.renamed(from_here)))
     }
 
     fn write(&self, run: &Run, frames: &[Frame]) -> Result<()> {
@@ -122,7 +127,7 @@ impl Receipts {
         }
         let Some(out) = &self.out else { return Ok(()) };
         for (name, receipt) in run.worst() {
-            if let Some(frame) = frames.iter().find(|frame| frame.name() == *name) {
+            if let Some(frame) = frames.iter().find(|frame| from_here(&frame.name()) == *name) {
                 self.save(frame, receipt, out)?;
             }
         }

@@ -17,7 +17,7 @@ use serde_json::json;
 
 use super::limits::Limits;
 use super::plugin::{Plugins, repeatable};
-use super::{Outcome, bar, baseline_text, print, say, warn};
+use super::{Outcome, bar, baseline_text, from_here, print, say, warn};
 use crate::cli::options::SolverArgs;
 
 /// Test your solver on problems, and compare with a recorded run
@@ -34,11 +34,12 @@ A problem fails if the solver claims a solution that the judge rejects, or if th
 finds no solution. A problem without a solution passes if the solver answers in time and does not claim to have solved it. If the \
 baseline lists a problem, this problem fails only if its result is worse than the recorded one: an answer that was accepted is \
 rejected, or needs many more iterations or has a much larger residual; or a solver that gave up now makes a false claim, crashes or \
-exceeds the time limit. Record the baseline in the folder in which the test runs, because lcplab matches problems by their paths.
+exceeds the time limit. Record the baseline in the folder in which the test runs, because lcplab matches problems by their paths, \
+seen from this folder.
 
 Exit codes:
-  0  no problem fails, or the baseline was written
-  1  a problem fails
+  0  no problem fails and each problem of the baseline was tested, or the baseline was written
+  1  a problem fails, or one of the baseline was not tested
   2  invalid input or usage")]
 pub struct Test {
     /// Problem files, folders of them, patterns, or families that `problems` lists
@@ -55,6 +56,9 @@ pub struct Test {
     /// Write this run to the baseline file
     #[arg(long, requires = "baseline")]
     update: bool,
+    /// Do not fail if problems or solvers of the baseline are not tested
+    #[arg(long, requires = "baseline")]
+    allow_missing: bool,
     /// A result is worse if it takes more than FACTOR times the recorded iterations
     #[arg(long, value_name = "FACTOR", default_value_t = 2.0, value_parser = factor)]
     worse_iterations: f64,
@@ -109,16 +113,18 @@ impl Test {
         let Test { worse_iterations: iterations, worse_residual: residual, .. } = *self;
         let findings = run.findings(baseline.as_ref(), Factors { iterations, residual });
         let missing = baseline.map(|baseline| run.missing(&baseline)).unwrap_or_default();
+        let lost: &[_] = if self.allow_missing { &[] } else { &missing };
         if let Some(path) = &self.junit {
-            file::write(path, Finding::junit(&findings))?;
+            file::write(path, Finding::junit(&findings, lost))?;
         }
         if let Some(path) = &self.sarif {
-            file::write(path, Finding::sarif(&findings))?;
+            file::write(path, Finding::sarif(&findings, lost))?;
         }
-        for (solver, problem) in &missing {
-            say(&format!("warning: {problem} is in the baseline of {solver}, but was not tested"));
+        for line in missing_lines(&missing, &run) {
+            let word = if self.allow_missing { "warning" } else { "failed" };
+            say(&format!("{word}: {line}"));
         }
-        let fails = findings.iter().any(|finding| finding.verdict.is_failure());
+        let fails = findings.iter().any(|finding| finding.verdict.is_failure()) || !lost.is_empty();
         match self.json {
             true => {
                 let object = json!({ "ok": !fails, "problems": findings, "missing": missing });
@@ -133,7 +139,7 @@ impl Test {
     fn recorded(&self) -> Result<Option<Run>> {
         let Some(path) = self.baseline.as_ref().filter(|_| !self.update) else { return Ok(None) };
         let input = path.display().to_string();
-        let run = Run::from_json(&input, &baseline_text(path)?)?;
+        let run = Run::from_json(&input, &baseline_text(path)?)?.renamed(from_here);
         let tolerance = self.solve.demand().tolerance;
         if run.tolerance != tolerance {
             let reason = format!("is {:e}, this run has {tolerance:e}", run.tolerance);
@@ -149,7 +155,7 @@ impl Test {
             for (name, problems) in problems::named(name, SEEDS, self.solve.memory())? {
                 problems.iter().for_each(warn);
                 problems.iter().try_for_each(|problem| check_model(problem, &name))?;
-                let is_one = problems.len() == 1;
+                let (is_one, name) = (problems.len() == 1, from_here(&name));
                 for (seed, problem) in (1..).zip(problems) {
                     let name = if is_one { name.clone() } else { format!("{name}, seed {seed}") };
                     all.push((name, vec![problem]));
@@ -186,6 +192,27 @@ fn check_model(problem: &Problem, name: &str) -> Result<()> {
         None | Some(Model::CoupledBox) => Ok(()),
         model => Question::new(problem, model, name).map(|_| ()),
     }
+}
+
+/// What was not tested of the baseline, a line for each problem, or for a solver that is missing.
+fn missing_lines(missing: &[(String, String)], run: &Run) -> Vec<String> {
+    let of_solver = |own: &[(String, String)]| {
+        let solver = &own[0].0;
+        if run.solvers.contains_key(solver) {
+            let line = |(_, problem): &(String, String)| {
+                format!("{problem} is in the baseline of {solver}, but was not tested")
+            };
+            return own.iter().map(line).collect();
+        }
+        let tested: Vec<&str> = run.solvers.keys().map(String::as_str).collect();
+        vec![format!(
+            "the baseline has {} of {solver}, which was not tested (tested: {}); a plug-in is named with \
+             --plugin NAME=COMMAND",
+            counted(own.len(), "result"),
+            tested.join(", ")
+        )]
+    };
+    missing.chunk_by(|a, b| a.0 == b.0).flat_map(of_solver).collect()
 }
 
 /// The run as a baseline file.

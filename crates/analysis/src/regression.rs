@@ -75,6 +75,8 @@ impl Record {
 ///     {"outcome": "accepted", "iterations": 12, "residual": 3e-16}}}}"#;
 /// let run = Run::from_json("base.json", text).unwrap();
 /// assert_eq!(run.solvers["mine"]["a.json"].iterations, 12);
+/// let run = run.renamed(|name| format!("dumps/{name}"));
+/// assert!(run.solvers["mine"].contains_key("dumps/a.json"));
 /// assert!(Run::from_json("base.json", "{}").is_err());
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -123,15 +125,29 @@ impl Finding {
         }
     }
 
-    /// The findings as JUnit XML: a test case for each solver and problem.
-    pub fn junit(findings: &[Finding]) -> String {
-        junit("lcplab test", &findings.iter().map(Finding::case).collect::<Vec<_>>())
+    /// The findings as JUnit XML: a test case for each solver and problem, also for those of the
+    /// baseline that are missing.
+    pub fn junit(findings: &[Finding], missing: &[(String, String)]) -> String {
+        junit("lcplab test", &Finding::cases(findings, missing))
     }
 
-    /// The problems that are not accepted, or worse than recorded, as SARIF 2.1.0.
-    pub fn sarif(findings: &[Finding]) -> String {
+    /// The problems that are not accepted, worse than recorded, or missing, as SARIF 2.1.0.
+    pub fn sarif(findings: &[Finding], missing: &[(String, String)]) -> String {
         let rules = [("solver".into(), "A solver's answer to a problem".into())];
-        sarif(&rules, &findings.iter().map(Finding::case).collect::<Vec<_>>())
+        sarif(&rules, &Finding::cases(findings, missing))
+    }
+
+    fn cases(findings: &[Finding], missing: &[(String, String)]) -> Vec<Case> {
+        let lost = missing.iter().map(|(solver, problem)| Case {
+            class: solver.clone(),
+            name: problem.clone(),
+            verdict: Verdict::Failed("is in the baseline, but was not tested".into()),
+            rule: "solver".into(),
+            properties: Vec::new(),
+            details: String::new(),
+            is_file: true,
+        });
+        findings.iter().map(Finding::case).chain(lost).collect()
     }
 }
 
@@ -159,6 +175,16 @@ impl Run {
             false => format!("is not a recorded run: {cause}"),
         };
         serde_json::from_str(text).map_err(|cause| Error::invalid(input, "baseline", reason(cause)))
+    }
+
+    /// The run with other names of its problems.
+    #[must_use]
+    pub fn renamed(mut self, name: fn(&str) -> String) -> Run {
+        for records in self.solvers.values_mut() {
+            let own = std::mem::take(records).into_iter();
+            *records = own.map(|(problem, record)| (name(&problem), record)).collect();
+        }
+        self
     }
 
     /// Every result beside that of the baseline, by solver and problem.

@@ -117,13 +117,78 @@ fn without_a_baseline_every_answer_must_be_accepted() {
 }
 
 #[test]
-fn a_recorded_problem_that_is_not_tested_any_more_is_named() {
+fn a_recorded_problem_that_is_not_tested_any_more_fails() {
     let folder = folder();
+    let junit = folder.path().join("test.xml");
+    let junit = junit.to_str().unwrap();
     assert_eq!(tested(folder.path(), "", &["--update"]).1, Some(0));
     std::fs::remove_file(folder.path().join("dumps/one.json")).unwrap();
-    let (report, code) = tested(folder.path(), "", &[]);
+    let (report, code) = tested(folder.path(), "", &["--junit", junit]);
     let missing = report["missing"][0][1].as_str().unwrap();
-    assert!(missing.ends_with("one.json") && code == Some(0), "{report}");
+    assert!(missing.ends_with("one.json") && code == Some(1) && report["ok"] == false, "{report}");
+    assert!(std::fs::read_to_string(junit).unwrap().contains("but was not tested"));
+    let (report, code) = tested(folder.path(), "", &["--allow-missing"]);
+    assert!(code == Some(0) && report["ok"] == true, "{report}");
+    // A solver under another name is another solver.
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let other = ["test", &path("dumps"), "--solver", "pgs", "--baseline", &path("base.json")];
+    let output = run(&other);
+    assert_eq!(output.status.code(), Some(1));
+    let reason = "failed: the baseline has 2 results of mine, which was not tested (tested: pgs)";
+    assert!(err(&output).starts_with(reason), "{}", err(&output));
+}
+
+#[test]
+fn one_file_has_one_name_however_its_path_is_written() {
+    let folder = folder();
+    let absolute = folder.path().canonicalize().unwrap().join("dumps");
+    for command in ["test", "receipts"] {
+        let dumps: &[&str] = match command {
+            "test" => &["--solver", "dantzig"],
+            _ => {
+                let frame = json!({"A": {"dense": [[1]]}, "b": [-1], "answer": {"x": [1.0]},
+                    "motion": {"mass": [[0, 0, 1.0]], "jacobian": [[0, 0, 1.0]], "bias": [0.0],
+                        "compliance": [0.0], "target": [-1.0]}});
+                for name in ["one", "two"] {
+                    let path = folder.path().join(format!("dumps/{name}.json"));
+                    std::fs::write(path, frame.to_string()).unwrap();
+                }
+                &[]
+            }
+        };
+        let run = |path: &str, more: &[&str]| {
+            let mut all = std::process::Command::new(env!("CARGO_BIN_EXE_lcplab"));
+            all.args([command, path, "--baseline", "base.json"]).args(dumps).args(more);
+            all.current_dir(folder.path()).output().unwrap()
+        };
+        assert_eq!(run("dumps", &["--update"]).status.code(), Some(0));
+        for path in ["dumps/", "./dumps", "dumps//", absolute.to_str().unwrap()] {
+            let output = run(path, &[]);
+            assert_eq!(output.status.code(), Some(0), "{command} {path}: {}", out(&output));
+        }
+        let fewer = run("dumps/one.json", &[]);
+        assert_eq!(fewer.status.code(), Some(1), "{command}: {}", out(&fewer));
+        let fewer = run("dumps/one.json", &["--allow-missing"]);
+        assert_eq!(fewer.status.code(), Some(0), "{command}: {}", out(&fewer));
+    }
+}
+
+#[test]
+fn the_answers_of_frames_in_a_folder_are_no_problems() {
+    let folder = folder();
+    let dumps = folder.path().join("dumps");
+    std::fs::write(dumps.join("one.x.json"), r#"{"x": [2]}"#).unwrap();
+    let path = dumps.to_str().unwrap();
+    let pattern = format!("{path}/*.json");
+    for command in [
+        &["test", path, "--solver", "dantzig"][..],
+        &["test", &pattern, "--solver", "dantzig"],
+        &["compare", path, "--solver", "dantzig"],
+        &["diagnose", path, "--solver", "pgs"],
+    ] {
+        let output = run(command);
+        assert_eq!(output.status.code(), Some(0), "{command:?}: {}", err(&output));
+    }
 }
 
 #[test]

@@ -70,6 +70,17 @@ impl Baseline {
         })
     }
 
+    /// The baseline with other names of its frames.
+    #[must_use]
+    pub fn renamed(self, name: fn(&str) -> String) -> Baseline {
+        Baseline {
+            rejected: self.rejected.into_iter().map(|(own, stage)| (name(&own), stage)).collect(),
+            errors: self.errors.into_iter().map(|(own, error)| (name(&own), error)).collect(),
+            solver_unchecked: self.solver_unchecked.iter().map(|own| name(own)).collect(),
+            not_checked: self.not_checked,
+        }
+    }
+
     /// Whether it lists this frame as rejected at the same stage.
     pub(super) fn lists(&self, name: &str, receipt: &Receipt) -> bool {
         let stage = receipt.stage().map(Stage::name);
@@ -93,7 +104,7 @@ impl Baseline {
     pub(super) fn lost(&self, run: &Run) -> Vec<String> {
         let missing = self.missing(run);
         let mut lost = Vec::new();
-        if !missing.is_empty() {
+        if !missing.is_empty() && !run.allows_missing() {
             let more = if missing.len() > NAMED { ", …" } else { "" };
             let named = missing.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
             lost.push(format!(

@@ -49,12 +49,15 @@ pub(super) struct Unchecked {
 /// // A new release of the engine: frame 1 is wrong, and frame 2 is missing.
 /// let text = serde_json::Value::Object(recorded.to_json()).to_string();
 /// let baseline = Baseline::from_json("baseline.json", &text)?;
+/// let other = baseline.clone().renamed(|name| format!("step {name}")); // other names of frames
+/// assert_ne!(other, baseline);
 /// let run = Run::new(vec![frame("1", 2.0, -2.0)?], Some(baseline));
 /// assert!(!run.is_ok());
 /// assert_eq!((run.missing(), run.frames().len()), (vec!["2"], 1));
 /// assert_eq!(run.worst()[0].0, "1");
 /// assert!(run.worse().is_empty()); // one frame is too few to compare the sizes of errors
 /// assert_eq!(run.lost(), ["1 frame of the baseline is missing: 2"]);
+/// assert!(run.clone().allowing_missing().lost().is_empty());
 /// assert!(run.text().starts_with("not ok: 1 frame, 1 rejected (0 known)"));
 /// assert!(run.junit().contains("<failure"));
 /// assert!(run.sarif().contains("2.1.0"));
@@ -68,6 +71,7 @@ pub struct Run {
     /// The motion errors, or else residuals, sorted.
     errors: Vec<f64>,
     baseline: Option<Baseline>,
+    allows_missing: bool,
 }
 
 impl Run {
@@ -87,7 +91,17 @@ impl Run {
         let mut errors: Vec<f64> =
             unique.iter().filter_map(|(_, receipt)| receipt.error()).collect();
         errors.sort_by(f64::total_cmp);
-        Run { frames: unique, errors, baseline }
+        Run { frames: unique, errors, baseline, allows_missing: false }
+    }
+
+    /// The run, which is also ok if frames of the baseline are missing.
+    #[must_use]
+    pub fn allowing_missing(self) -> Self {
+        Run { allows_missing: true, ..self }
+    }
+
+    pub(super) fn allows_missing(&self) -> bool {
+        self.allows_missing
     }
 
     /// The frames with their names.
