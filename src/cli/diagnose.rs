@@ -12,20 +12,21 @@ use lcplab::error::{Error, Result};
 use lcplab::file;
 use lcplab::files;
 use lcplab::lcp::Question;
-use lcplab::lcp::file::{Problem, read_answers};
+use lcplab::lcp::file::Problem;
 use lcplab::memory::Memory;
 use lcplab::report::motion_error::MotionError;
 use lcplab::report::view::diagnosis_page;
 use lcplab::scene::Scene;
 use lcplab::simulation::Simulation;
-use lcplab::solver::{Options, Pgs, Registry};
+use lcplab::solver::{Group, Options, Pgs, Registry};
 
 use super::form::Writing;
 use super::loads::{self, Summed};
 use super::mistake;
+use super::options::iterations;
 use super::plugin::Plugins;
 use super::scene::Changes;
-use super::{Outcome, bar, print, read_problem};
+use super::{Outcome, bar, print, read_problem, say};
 
 /// Explain why bodies sink, why a problem has no solution or several, or which mistake produced an
 /// answer
@@ -94,8 +95,9 @@ pub struct Diagnose {
     /// Solver to examine [default: the scene's; for a problem none]
     #[arg(long)]
     solver: Option<String>,
-    /// Maximum number of sweeps or pivots in a solve [default: the scene's; for problems 10000]
-    #[arg(long, visible_alias = "sweeps")]
+    /// Maximum number of sweeps or pivots in a solve; without --solver it implies pgs if the scene
+    /// has a direct solver [default: the scene's; for problems 10000]
+    #[arg(long, visible_alias = "sweeps", allow_negative_numbers = true, value_parser = iterations)]
     max_iterations: Option<usize>,
     #[command(flatten)]
     plugins: Plugins,
@@ -250,6 +252,16 @@ impl Diagnose {
                 return Err(Error::invalid(&self.input, "solver", reason));
             }
             scene.solver.name = solvers.entry(name)?.name.to_string();
+        } else if self.max_iterations.is_some() && scene.step.scheme.solves_lcps() {
+            // As for problems: the number of sweeps of a direct method means nothing.
+            let group = solvers.entry(&scene.solver.name).map(|entry| entry.group);
+            if matches!(group, Ok(Group::Pivoting | Group::Newton)) {
+                let own = &scene.solver.name;
+                say(&format!(
+                    "note: {own} is a direct method; pgs is examined (--solver {own} for it)"
+                ));
+                scene.solver.name = Pgs::NAME.into();
+            }
         }
         scene.solver.max_iterations = self.max_iterations.unwrap_or(scene.solver.max_iterations);
         Ok(scene)
@@ -268,7 +280,7 @@ impl Diagnose {
     /// Diagnoses the problems of a folder, in the order of their names.
     fn sequence(&self, solver: Option<&str>, solvers: &Registry) -> Result<Outcome> {
         let paths = file::list(Path::new(&self.input))?;
-        let paths = paths.iter().filter(|path| files::is_problem(path));
+        let paths = paths.iter().filter(|path| files::is_problem(path) && !files::is_answer(path));
         let problems = paths.map(|path| {
             let mut problem = read_problem(path, Memory::default())?;
             problem.name =
@@ -301,8 +313,8 @@ impl Diagnose {
     fn mistake(&self, problem: &Problem, answer: &Path) -> Result<Outcome> {
         let question = Question::new(problem, None, &self.input)?;
         let rows = problem.lcp.len();
-        let read = |path: &PathBuf| read_answers(path, rows, Memory::default());
-        let x = read_answers(answer, rows, Memory::default())?.x;
+        let read = |path: &PathBuf| files::read_answers(path, rows, Memory::default());
+        let x = files::read_answers(answer, rows, Memory::default())?.x;
         let last = self.last.as_ref().map(read).transpose()?.map(|last| last.x);
         let search = find_mistakes(question.posed(), &x, last.as_deref());
         let single = question.boxed().and_then(|lcp| single_precision(lcp, &x));

@@ -47,8 +47,8 @@ pub fn words(search: &MistakeSearch, single: Option<[f64; 2]>) -> String {
         ),
         Conclusion::Compared { solution_distance } => {
             let solution = format!(
-                "The closest exact solution that was found differs from x by up to {}.\n",
-                share(solution_distance)
+                "x differs from the nearest exact solution found by up to {} % of its largest entry.\n",
+                readable(100.0 * solution_distance, 2)
             );
             let is_found = !search.mistakes.is_empty();
             found(search) + &solution + &if is_found { String::new() } else { limits(search) }

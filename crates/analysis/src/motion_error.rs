@@ -18,6 +18,9 @@ use lcplab_lcp::friction::{Contact, FrictionProblem, Model};
 use lcplab_lcp::{Gauss, Lcp, Level, Question};
 use lcplab_page::number::readable;
 
+/// A smaller fraction is not printed as a percentage.
+const LEAST_PERCENTAGE: f64 = 1e-3;
+
 /// A bound on the error of the motion.
 ///
 /// ```
@@ -88,7 +91,7 @@ impl MotionError {
     pub fn text(question: &Question, x: &[f64]) -> String {
         let (value, meaning) = match MotionError::of(question, x) {
             None => return String::new(),
-            Some(Ok(error)) => (upper_bound(error.bound), error.meaning()),
+            Some(Ok(error)) => (format!("≤ {}", upper_bound(error.bound)), error.meaning()),
             Some(Err(why)) => ("–".into(), why),
         };
         let mut text = format!("  motion error     {value:>10}  {meaning}\n");
@@ -133,19 +136,22 @@ impl MotionError {
     fn meaning(&self) -> String {
         let unit = self.level.map(Level::norm_unit).unwrap_or("in the norm √(uᵀM u)");
         let of_what = match self.relative() {
-            relative if relative < 1.0 => format!(
-                "at most {} of the change that the constraints cause (at least {} {unit})",
-                readable(relative, 2),
-                readable(self.effect, 3)
-            ),
-            _ => "possibly more than the change that the constraints cause".into(),
+            relative if relative < 1.0 => {
+                let part = match relative < LEAST_PERCENTAGE {
+                    true => readable(relative, 2) + " of",
+                    false => readable(100.0 * relative, 2) + " % of",
+                };
+                let effect = readable(self.effect, 3);
+                format!("≤ {part} the constraints' effect (≥ {effect} {unit})")
+            }
+            _ => "possibly more than the constraints' effect".into(),
         };
-        let frozen = if self.is_frozen { ", with the friction limits of x" } else { "" };
+        let frozen = if self.is_frozen { "; friction limits fixed at those of x" } else { "" };
         let entries = self.level.map(|level| {
             let (name, units) = (level.name(), level.units());
-            format!("; no {name} is off by more than {} {units}", upper_bound(self.largest_entry))
+            format!("; no {name} off by more than {} {units}", upper_bound(self.largest_entry))
         });
-        format!("{unit}: {of_what}{frozen}{}", entries.unwrap_or_default())
+        format!("{unit}, {of_what}{frozen}{}", entries.unwrap_or_default())
     }
 }
 

@@ -1,6 +1,8 @@
 //! `diagnose SCENE --out page.html` from outside.
 
-use super::{out, run};
+use serde_json::Value;
+
+use super::{err, out, run};
 
 #[test]
 fn a_page_shows_animation_pattern_and_sweeps_and_the_problems_lie_beside_it() {
@@ -167,4 +169,21 @@ fn a_diagnosis_begins_with_no_cause_exactly_if_it_has_none() {
         );
         assert_eq!(rest.contains("Cause: "), has_cause, "{scene:?}: {rest}");
     }
+}
+
+#[test]
+fn a_number_of_sweeps_is_not_one_of_pivots() {
+    let lead = |options: &[&str]| {
+        let output = run(&[&["diagnose", "stack", "--sweeps", "10", "--json"], options].concat());
+        let found: Value = serde_json::from_str(&out(&output)).unwrap();
+        (found.to_string(), err(&output))
+    };
+    let (swept, note) = lead(&[]);
+    assert_eq!(swept, lead(&["--solver", "pgs"]).0);
+    assert!(note.starts_with("note: dantzig is a direct method; pgs is examined"), "{note}");
+    // Pivots that were not completed have a cause of their own.
+    let (cut, note) = lead(&["--solver", "dantzig"]);
+    assert_eq!(note, "");
+    assert!(cut.contains("dantzig was stopped after 10 pivots, and this problem takes "), "{cut}");
+    assert!(!cut.contains("tall column"), "{cut}");
 }

@@ -319,6 +319,38 @@ fn clamped_increments_are_named_although_their_first_sweep_is_a_right_one() {
 }
 
 #[test]
+fn a_converged_result_is_not_called_stopped() {
+    // x is the limit of 19 sweeps whose friction limit is that of the first one.
+    let a = Matrix::dense(3, &[2.0, -1.0, 0.5, -1.0, 2.0, 0.3, 0.5, 0.3, 1.0]);
+    let inf = f64::INFINITY;
+    let parts = (vec![-2.0, -3.0, -5.0], vec![0.0, 0.0, -inf], vec![inf; 3]);
+    let lcp = Lcp::new(a, parts.0, parts.1, parts.2).unwrap();
+    let lcp = lcp
+        .with_coupling(Coupling::new(vec![None, None, Some(0)], vec![0.0, 0.0, 0.5]).unwrap())
+        .unwrap();
+    let named: Vec<String> = mistakes(&lcp, &[2.1166666666525997, 2.4833333333263, 0.5])
+        .into_iter()
+        .map(|own| own.what)
+        .collect();
+    let what = "Gauss-Seidel with the friction limits of the first sweep, converged";
+    assert!(named.iter().any(|own| own == what), "{named:?}");
+    // A hundred sweeps on the transpose of A, which converge slowly: more are not compared.
+    let a = [[1.0, -0.9, 0.1], [-1.1, 1.0, 0.0], [0.2, 0.0, 1.0]];
+    let b = [-2.0, -2.5, -1.0];
+    let mut x = [0.0_f64; 3];
+    for _ in 0..100 {
+        for i in 0..3 {
+            let w: f64 = (0..3).map(|j| a[j][i] * x[j]).sum::<f64>() + b[i];
+            x[i] = (x[i] - w / a[i][i]).max(0.0);
+        }
+    }
+    let lcp = contacts(&a.each_ref().map(|row| &row[..]), &b);
+    let found = mistakes(&lcp, &x);
+    let what = "A transposed, projected Gauss-Seidel, after 100 sweeps or more";
+    assert!(found.iter().any(|own| own.what == what), "{found:?}");
+}
+
+#[test]
 fn with_redundant_rows_any_solution_of_the_changed_problem_counts() {
     // Rows 0 and 1 are the same contact: x_0 + x_1 = 1, in any split; x_2 = 2, x_3 = 1, x_4 = 2.
     let rows = [

@@ -25,6 +25,9 @@ const MUCH_SMALLER: f64 = 1e3;
 /// A solution this near to x, as a part of its largest entry, may be the one that x is.
 const SAME_SOLUTION: f64 = 1e-6;
 
+/// Sweeps that reach their result sooner than this are reported with their number.
+const FEW_SWEEPS: usize = 10;
+
 /// The number of these rows that depend on others of them.
 fn redundant_among(lcp: &Lcp, rows: &[usize]) -> usize {
     let entry = |k: usize, l: usize| (k, l, lcp.matrix().entry(rows[k], rows[l]));
@@ -314,13 +317,15 @@ impl Attempts<'_> {
 
     /// Sweeps stopped where they come nearest to x.
     pub(super) fn stopped(&mut self, kind: MistakeKind, name: &str, swept: SweepMatch) {
-        let stays = swept.stays_at_nearest() && swept.sweeps < self.limits.of_changed;
-        let SweepMatch { sweeps, nearest: y, .. } = swept;
+        let stays = swept.stays_at_nearest();
+        let SweepMatch { sweeps, nearest: y, is_converged, .. } = swept;
         if sweeps > 0 {
             let count = counted(sweeps, "sweep");
-            let what = match stays {
-                true => format!("{name}, after {count} or more"),
-                false => format!("{name}, stopped after {count}"),
+            let what = match (stays, is_converged) {
+                (true, true) if sweeps < FEW_SWEEPS => format!("{name}, after {count} or more"),
+                (_, true) => format!("{name}, converged"),
+                (true, false) => format!("{name}, after {count} or more"),
+                (false, false) => format!("{name}, stopped after {count}"),
             };
             self.found.push(Attempt { sweeps, ..Attempt::new(kind, what, y) });
         }

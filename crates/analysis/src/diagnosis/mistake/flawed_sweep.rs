@@ -110,7 +110,8 @@ pub(super) fn scaled_start(
         };
         let (factor, y) = fitted_start(from, x)?;
         let is_factor = FACTORS.contains(&factor) && (factor - 1.0).abs() > NO_FACTOR;
-        is_factor.then_some((factor, SweepMatch { sweeps: count, last: y.clone(), nearest: y }))
+        let swept = SweepMatch { sweeps: count, last: y.clone(), nearest: y, is_converged: false };
+        is_factor.then_some((factor, swept))
     });
     fits.min_by(|(_, a), (_, b)| distance(x, &a.nearest).total_cmp(&distance(x, &b.nearest)))
 }

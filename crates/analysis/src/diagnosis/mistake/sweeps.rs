@@ -17,6 +17,10 @@ const SWEEPS: usize = 2000;
 const MULTIPLICATIONS: usize = 200_000_000;
 /// Maximum number of sweeps on a changed problem.
 const SWEEPS_OF_CHANGED: usize = 100;
+/// Sweeps have converged if the last one changes x by less than this part of its largest entry, and
+/// an iterate is their result if it is this near to it.
+const LAST_CHANGE: f64 = 1e-10;
+const SAME_LIMIT: f64 = 1e-8;
 
 /// The numbers of sweeps that are compared with an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -40,14 +44,23 @@ pub(super) struct Nearest<'a> {
     sweeps: usize,
     iterate: Vec<f64>,
     distance: f64,
+    /// The last iterate, and its distance from the one before.
+    latest: Vec<f64>,
+    change: f64,
 }
 
 impl<'a> Nearest<'a> {
     pub fn to(x: &'a [f64]) -> Self {
-        Nearest { x, sweeps: 0, iterate: Vec::new(), distance: f64::INFINITY }
+        let (far, none) = (f64::INFINITY, Vec::new);
+        Nearest { x, sweeps: 0, iterate: none(), distance: far, latest: none(), change: far }
     }
 
     pub(crate) fn look_at(&mut self, sweeps: usize, iterate: &[f64]) {
+        if !self.latest.is_empty() {
+            self.change = distance(&self.latest, iterate);
+        }
+        self.latest.clear();
+        self.latest.extend(iterate);
         let distance = distance(self.x, iterate);
         if distance < self.distance && sweeps > 0 {
             (self.sweeps, self.distance) = (sweeps, distance);
@@ -57,7 +70,10 @@ impl<'a> Nearest<'a> {
 
     /// The result, with x after all sweeps.
     pub fn swept(self, last: Vec<f64>) -> SweepMatch {
-        SweepMatch { sweeps: self.sweeps, nearest: self.iterate, last }
+        let size = self.latest.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let is_converged = self.change <= LAST_CHANGE * size
+            && distance(&self.iterate, &self.latest) <= SAME_LIMIT * size;
+        SweepMatch { sweeps: self.sweeps, nearest: self.iterate, last, is_converged }
     }
 }
 
@@ -76,6 +92,8 @@ pub(super) struct SweepMatch {
     pub nearest: Vec<f64>,
     /// x after all sweeps.
     pub last: Vec<f64>,
+    /// Whether the sweeps converge, and the nearest x is their result.
+    pub is_converged: bool,
 }
 
 impl SweepMatch {

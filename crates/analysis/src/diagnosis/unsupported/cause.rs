@@ -57,6 +57,15 @@ pub enum Slow {
         /// The known mistakes that give its answer, the nearest first.
         mistakes: Vec<Mistake>,
     },
+    /// A direct method was stopped before its last step.
+    Stopped {
+        /// The solver.
+        solver: String,
+        /// The number of steps with their name, after which it was stopped.
+        after: String,
+        /// The number that it needs; `None` if it finds no accepted answer.
+        needs: Option<usize>,
+    },
     /// Motors at their limits that work against each other or against an obstacle; tested by
     /// reducing the limits to a hundredth.
     Motors {
@@ -101,6 +110,7 @@ impl Slow {
     pub fn name(&self) -> &'static str {
         match self {
             Slow::Solver { .. } => "suspect the solver",
+            Slow::Stopped { .. } => "iteration limit",
             Slow::Motors { .. } => "strong motors",
             Slow::MassRatio { .. } => "mass ratio",
             Slow::Tall { .. } => "tall column or long chain",
@@ -114,7 +124,7 @@ impl Slow {
     /// limit of a motor, masses, a height.
     pub(crate) fn ease(&self) -> usize {
         match self {
-            Slow::Solver { .. } => 0,
+            Slow::Solver { .. } | Slow::Stopped { .. } => 0,
             Slow::Stale { .. } => 1,
             Slow::Order { .. } => 2,
             Slow::Motors { .. } => 3,
@@ -151,6 +161,14 @@ impl fmt::Display for Slow {
                     }
                     (None, None) => write!(f, " No known mistake gives the same answer."),
                 }
+            }
+            Slow::Stopped { solver, after, needs } => {
+                write!(f, "{solver} was stopped after {after}")?;
+                match needs {
+                    Some(needs) => write!(f, ", and this problem takes {needs}.")?,
+                    None => write!(f, ".")?,
+                }
+                write!(f, " It is a direct method, whose answer is right only after its last step.")
             }
             Slow::Motors { between, without } => write!(
                 f,

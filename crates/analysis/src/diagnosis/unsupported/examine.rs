@@ -1,6 +1,7 @@
 //! The examination of one solve.
 
 use lcplab_lcp::merit;
+use lcplab_lcp::number::counted;
 use lcplab_solver::{Entry, Group, Options, Order, Pgs, Registry, Solution, Solver, Start, Status};
 
 use super::cause::{Moving, Slow};
@@ -31,7 +32,7 @@ impl UserSolver {
         match self.entry.group {
             Group::Sweeps => "sweep",
             Group::Pivoting => "pivot",
-            Group::FirstOrder | Group::Newton | Group::Plugin => "step",
+            Group::FirstOrder | Group::Newton | Group::Plugin => "iteration",
         }
     }
 
@@ -170,7 +171,11 @@ pub fn examine(
     found.loads(frame, &reference.exact);
     if reference.is_needed() && found.is_short() {
         let case = Case { frame, user_solver, reference: &reference, linear: &linear, from: start };
-        match case.solver(&found) {
+        if let Some(cause) = stopped_early(frame, user_solver, &reference, &own, &found) {
+            found.causes.push(cause);
+        }
+        match case.solver(&found).filter(|_| found.causes.is_empty()) {
+            None if !found.causes.is_empty() => {}
             None => case.explain(&mut found, missing),
             Some((cause, left)) => {
                 found.causes.push(cause);
@@ -185,6 +190,26 @@ pub fn examine(
         found.remedies = remedies(frame, user_solver, &reference, &linear);
     }
     Some(found)
+}
+
+/// The cause if a direct method reached its iteration limit.
+fn stopped_early(
+    frame: &Frame,
+    user_solver: &UserSolver,
+    reference: &ReferenceSolution,
+    start: &Start<'_>,
+    found: &UnsupportedLoad,
+) -> Option<Slow> {
+    let is_direct = matches!(user_solver.entry.group, Group::Pivoting | Group::Newton);
+    if !is_direct || found.status != Status::IterationLimit {
+        return None;
+    }
+    let whole = user_solver.other(&found.solver)?.solve(&frame.lcp, start, &mut ());
+    Some(Slow::Stopped {
+        solver: found.solver.clone(),
+        after: counted(found.iterations, found.unit),
+        needs: reference.is_accepted(&whole.x).then_some(whole.iterations),
+    })
 }
 
 /// The error that compliant contacts cause in the solution itself, if it is large enough to report.
