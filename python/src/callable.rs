@@ -270,8 +270,15 @@ fn numbers(x: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     }
     // The numbers of a complex array would lose their imaginary parts one by one.
     let array = x.py().import("numpy")?.call_method1("asarray", (x,))?;
-    if array.getattr("dtype")?.getattr("kind")?.extract::<char>()? == 'c' {
+    let kind = array.getattr("dtype")?.getattr("kind")?.extract::<char>()?;
+    if kind == 'c' {
         return Err(PyTypeError::new_err("x is complex, must be real"));
+    }
+    let shape = array.getattr("shape")?.extract::<Vec<usize>>()?;
+    if shape.len() != 1 && matches!(kind, 'f' | 'i' | 'u') {
+        let own = array.getattr("shape")?.str()?;
+        let reason = format!("x has the shape {own}, must be one-dimensional");
+        return Err(pyo3::exceptions::PyValueError::new_err(reason));
     }
     x.extract::<Vec<f64>>()
 }

@@ -43,6 +43,7 @@ fn _lcplab(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(gradient::gradient, module)?)?;
     module.add_function(wrap_pyfunction!(solving::solve, module)?)?;
     module.add_function(wrap_pyfunction!(solving::judge, module)?)?;
+    module.add_function(wrap_pyfunction!(solving::judge_text, module)?)?;
     module.add_function(wrap_pyfunction!(solving::explain, module)?)?;
     module.add_function(wrap_pyfunction!(solving::compare, module)?)?;
     module.add_function(wrap_pyfunction!(solving::solvers, module)?)?;

@@ -7,6 +7,7 @@ use lcplab::judge::{Demand, Verdict};
 use lcplab::lcp::Lcp;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
+use lcplab::number::plain;
 use lcplab::report::answer::{Answer, attempts_json, json_object, searched};
 use lcplab::report::friction::{self, JudgedAnswer};
 use lcplab::report::study::families::{self, Contender, Models};
@@ -232,6 +233,21 @@ pub fn judge(
         }
     };
     Ok((verdict.is_solution(), Value::Object(object).to_string()))
+}
+
+/// What the command `judge` prints about x.
+#[pyfunction]
+pub fn judge_text(
+    py: Python<'_>,
+    problem: &Problem,
+    x: PyReadonlyArray1<'_, f64>,
+    tolerance: f64,
+    model: Option<String>,
+) -> PyResult<String> {
+    let x = x.as_array().to_vec();
+    let demand = Demand { tolerance, prove_up_to: Demand::EXACT_ROWS };
+    let question = question(problem, model, None)?;
+    Ok(py.detach(|| plain(&lcplab::cli::judged_text(&question, &x, &demand))))
 }
 
 /// The derivation of a solution: as text, as Markdown and as a page.

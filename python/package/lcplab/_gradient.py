@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lcplab import _lcplab
-from lcplab._problem import Array, Problem, read_only, vector
+from lcplab._problem import Array, Problem, ProblemLike, answer, one, read_only, vector
 
 
 class Gradient:
@@ -104,11 +104,12 @@ class Gradient:
         return f"<lcplab.Gradient of {len(self.x)} rows: {self.status}>"
 
 
-def gradient(problem: Problem, x: ArrayLike | None = None) -> Gradient:
+def gradient(problem: ProblemLike, x: ArrayLike | None = None) -> Gradient:
     """Differentiate a solution, in exact arithmetic.
 
-    The derivative is that of the exact solution next to ``x``, by default next to lcplab's own answer. A problem may have
-    up to 150 rows.
+    ``problem`` is a :class:`Problem`, the path of a problem file, or a tuple ``(A, b)`` or ``(A, b, lo, hi)``. The
+    derivative is that of the exact solution next to ``x``, by default next to lcplab's own answer. A problem may have up to
+    150 rows.
 
     Raises
     ------
@@ -126,7 +127,8 @@ def gradient(problem: Problem, x: ArrayLike | None = None) -> Gradient:
     >>> lift_off.kinks, lift_off.jvp(b=[1])[0].tolist(), lift_off.jvp(b=[1], left=True)[0].tolist()
     ([0], [0.0], [-0.5])
     """
-    return Gradient(_lcplab.gradient(problem._inner, None if x is None else vector(x, "x")))
+    of = one(problem)
+    return Gradient(_lcplab.gradient(of._inner, None if x is None else answer(x, len(of))))
 
 
 def _array(values: Any) -> Array | None:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import inspect
 import warnings
 from typing import Any
 
 from lcplab import _lcplab
 from lcplab._problem import Array, Problem, named
-from lcplab._solve import Solver, settings
+from lcplab._solve import Solver, check_signature, settings
 
 
 class Finding:
@@ -140,30 +139,6 @@ def hunt(
     for note in reported["notes"] + ([reported["useless"]] if reported["useless"] else []):
         warnings.warn(note, stacklevel=2)
     return Finding(reported) if "problem" in reported else None
-
-
-def check_signature(solver: Solver | None, *, has_friction: bool) -> None:
-    """Reject a function that cannot be called with the arguments of a solver, which would fail on every problem.
-
-    Raises
-    ------
-    TypeError
-        If ``f(A, b, lo, hi, tolerance=, max_iterations=)`` is no valid call, with ``friction_index=`` and ``mu=`` for
-        problems with friction.
-    """
-    if solver is None or not callable(solver):
-        return
-    try:
-        signature = inspect.signature(solver)
-    except ValueError:  # a function in C may have no signature
-        return
-    names = ["tolerance", "max_iterations", *(["friction_index", "mu"] if has_friction else [])]
-    try:
-        signature.bind(*[None] * 4, **dict.fromkeys(names))
-    except TypeError as error:
-        name = getattr(solver, "__name__", "the solver")
-        call = f"{name}(A, b, lo, hi, {', '.join(f'{name}=' for name in names)})"
-        raise TypeError(f"solver: {call} is no valid call: {error}; a parameter **settings takes all keywords") from error
 
 
 def search(

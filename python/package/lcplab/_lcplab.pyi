@@ -96,6 +96,9 @@ def solve(
 def judge(
     problem: Problem, x: NDArray[np.float64], tolerance: float, model: str | None
 ) -> tuple[bool, str]: ...
+def judge_text(
+    problem: Problem, x: NDArray[np.float64], tolerance: float, model: str | None
+) -> str: ...
 def explain(
     problem: Problem, solver: str | None, given: Mapping[str, Any], model: str | None
 ) -> list[str]: ...

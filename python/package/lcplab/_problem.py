@@ -6,7 +6,7 @@ import json
 import os
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -31,7 +31,7 @@ class Problem:
         Bounds of x. The defaults are 0 and infinity, and no bounds for friction rows.
     friction_index : (n,) array_like of int, optional
         Row ``i`` with ``k = friction_index[i] >= 0`` has the bounds ``±mu[i] * max(x[k], 0)``; -1 marks all other rows.
-    mu : (n,) array_like, optional
+    mu : (n,) array_like or float, optional
         Coefficients of friction.
     model : str, optional
         The friction model, as in :func:`solve`.
@@ -73,7 +73,7 @@ class Problem:
                 "lo": _bound(lo, len(right), "lo"),
                 "hi": _bound(hi, len(right), "hi"),
                 "friction_index": None if friction_index is None else _rows(friction_index),
-                "mu": None if mu is None else vector(mu, "mu"),
+                "mu": _bound(mu, len(right), "mu"),
                 "model": model,
                 "scale": scale,
                 "name": name,
@@ -113,8 +113,8 @@ class Problem:
 
     @property
     def A(self) -> Array:
-        """The matrix A as a dense array, (n, n)."""
-        return self._inner.a
+        """The matrix A as a dense array, (n, n); read-only, as all arrays of a problem: make a new `Problem` to change it."""
+        return read_only(self._inner.a)
 
     def triplets(self) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
         """Row indices, column indices and values of the stored entries of A."""
@@ -123,27 +123,31 @@ class Problem:
     @property
     def b(self) -> Array:
         """The value of w at ``x = 0``, (n,)."""
-        return self._inner.b
+        return read_only(self._inner.b)
 
     @property
     def lo(self) -> Array:
         """The lower bounds, (n,)."""
-        return self._inner.lo
+        return read_only(self._inner.lo)
 
     @property
     def hi(self) -> Array:
         """The upper bounds, (n,)."""
-        return self._inner.hi
+        return read_only(self._inner.hi)
 
     @property
     def friction_index(self) -> NDArray[np.int64] | None:
         """For each row, the normal row that its friction bounds depend on, or -1."""
-        return self._inner.friction_index
+        index = self._inner.friction_index
+        if index is not None:
+            index.flags.writeable = False
+        return index
 
     @property
     def mu(self) -> Array | None:
         """The coefficients of friction, (n,)."""
-        return self._inner.mu
+        mu = self._inner.mu
+        return None if mu is None else read_only(mu)
 
     @property
     def model(self) -> str | None:
@@ -180,6 +184,10 @@ class Problem:
         return f"<lcplab.Problem {self.name!r}: {len(self)} rows>"
 
 
+#: A problem, the path of its file, or the tuple of its arrays, (A, b) or (A, b, lo, hi).
+ProblemLike = Union[Problem, str, "os.PathLike[str]", tuple[Any, ...]]
+
+
 def problem_of(
     A: Any,
     b: ArrayLike | None,
@@ -188,13 +196,38 @@ def problem_of(
     friction_index: ArrayLike | None,
     mu: ArrayLike | None,
 ) -> Problem:
-    if isinstance(A, Problem):
+    """The problem of the arguments of a function that takes A and b, or a whole problem as A."""
+    if b is None or isinstance(A, (Problem, str, os.PathLike)):
         if any(value is not None for value in (b, lo, hi, friction_index, mu)):
-            raise TypeError("A is a Problem, so b, bounds and friction must not be given")
-        return A
-    if b is None:
-        raise TypeError("b is missing: give A and b, or a Problem")
+            raise TypeError("A is a whole problem, so b, bounds and friction must not be given")
+        return one(A)
     return Problem(A, b, lo, hi, friction_index=friction_index, mu=mu)
+
+
+def one(problem: Any) -> Problem:
+    """A problem that is given as a Problem, as the path of its file, or as the tuple of its arrays.
+
+    Raises
+    ------
+    InputError
+        If it is something else.
+    """
+    if isinstance(problem, Problem):
+        return problem
+    if isinstance(problem, (str, os.PathLike)):
+        return Problem.read(problem)
+    if isinstance(problem, tuple) and 2 <= len(problem) <= 4:
+        return Problem(*problem)
+    what = f"a {type(problem).__name__}"
+    raise _lcplab.InputError(f"problem: is {what}; must be a Problem, the path of a file, or a tuple (A, b) or (A, b, lo, hi)")
+
+
+def answer(x: Any, n: int, name: str = "x") -> Array:
+    """The n numbers of an answer; of an object with an attribute x, such as a Result, that attribute."""
+    array = vector(getattr(x, "x", x), name, "answer")
+    if len(array) != n:
+        raise _lcplab.InputError(f"answer: {name}: has length {len(array)}, the problem has {n} rows")
+    return array
 
 
 def named(problems: Any) -> list[tuple[str, Problem]]:
@@ -211,11 +244,9 @@ def named(problems: Any) -> list[tuple[str, Problem]]:
 
 
 def _single(given: Any) -> Problem:
-    if isinstance(given, Problem):
-        return given
-    if isinstance(given, (str, os.PathLike)):
-        return Problem.read(given)
-    return Problem(*given)
+    if isinstance(given, (tuple, list)) and 2 <= len(given) <= 4:
+        return Problem(*given)
+    return one(given)
 
 
 def read_only(array: Array) -> Array:
@@ -224,29 +255,44 @@ def read_only(array: Array) -> Array:
     return array
 
 
-def vector(values: ArrayLike, name: str) -> Array:
-    """Contiguous real numbers."""
-    return np.ascontiguousarray(_real(values, name))
+def vector(values: ArrayLike, name: str, of: str = "problem") -> Array:
+    """Contiguous real numbers.
+
+    Raises
+    ------
+    InputError
+        If the values are not numbers, or not one-dimensional.
+    """
+    array = numbers(values, name, of)
+    if array.ndim != 1:
+        shape = " × ".join(map(str, array.shape)) or "that of a number"
+        raise _lcplab.InputError(f"{of}: {name}: has the shape {shape}, must be one-dimensional")
+    return np.ascontiguousarray(array)
 
 
-def _real(values: ArrayLike, name: str) -> Array:
-    # NumPy would drop masks, and imaginary parts with a warning.
+def numbers(values: ArrayLike, name: str, of: str = "problem") -> Array:
+    """Real numbers in any shape."""
+    # NumPy would drop masks, and imaginary parts with a warning, and would take None for NaN.
     if np.ma.is_masked(values):
-        raise _lcplab.InputError(f"problem: {name}: has masked entries")
+        raise _lcplab.InputError(f"{of}: {name}: has masked entries")
+    if isinstance(values, (list, tuple)):
+        for i, value in enumerate(values):
+            if value is None:
+                raise _lcplab.InputError(f"{of}: {name}[{i}]: is None, must be a number or ±inf")
     try:
         array = np.asarray(values)
         is_complex = np.iscomplexobj(array)
         real = array.real if is_complex else np.asarray(array, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise _lcplab.InputError(f"problem: {name}: is no array of numbers: {error}") from None
+        raise _lcplab.InputError(f"{of}: {name}: is no array of numbers: {error}") from None
     if is_complex:
-        raise _lcplab.InputError(f"problem: {name}: is complex, must be real; its real part is {name}.real")
+        raise _lcplab.InputError(f"{of}: {name}: is complex, must be real; its real part is {name}.real")
     return real
 
 
 def _rows(friction_index: ArrayLike) -> NDArray[np.int64]:
     # NumPy would cut 0.5 to row 0.
-    index = _real(friction_index, "friction_index")
+    index = numbers(friction_index, "friction_index")
     for i in np.flatnonzero(~np.isfinite(index) | (np.floor(index) != index)):
         raise _lcplab.InputError(f"problem: friction_index[{i}]: must be a row or -1, is {index.flat[i]}")
     return np.ascontiguousarray(index, dtype=np.int64)
@@ -255,7 +301,7 @@ def _rows(friction_index: ArrayLike) -> NDArray[np.int64]:
 def _bound(values: ArrayLike | None, n: int, name: str) -> Array | None:
     if values is None:
         return None
-    bound = _real(values, name)
+    bound = numbers(values, name)
     return np.full(n, bound) if bound.ndim == 0 else vector(bound, name)
 
 
@@ -267,7 +313,7 @@ def _entries(A: Any) -> _lcplab.Entries:
             raise _lcplab.InputError(f"problem: A: is {rows} × {cols}, must be square")
         index = [np.ascontiguousarray(k, dtype=np.int64) for k in (sparse.row, sparse.col)]
         return rows, index[0], index[1], vector(sparse.data, "A")
-    matrix = _real(A, "A")
+    matrix = numbers(A, "A")
     if matrix.size == 0:
         return matrix.reshape(0, 0)
     if matrix.ndim != 2:

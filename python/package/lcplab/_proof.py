@@ -9,7 +9,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from lcplab import _lcplab
-from lcplab._problem import Problem, vector
+from lcplab._problem import Problem, ProblemLike, answer, one
 
 
 class Proof:
@@ -50,7 +50,7 @@ class Proof:
 
 
 def prove(
-    problem: Problem,
+    problem: ProblemLike,
     x: ArrayLike | None = None,
     second: ArrayLike | None = None,
     *,
@@ -59,7 +59,8 @@ def prove(
 ) -> Proof:
     """Prove the strongest possible statement about a problem, or the given ``kind``.
 
-    The search starts from the answer ``x``, if it is given. With a ``second`` answer it proves that both are solutions,
+    ``problem`` is a :class:`Problem`, the path of a problem file, or a tuple ``(A, b)`` or ``(A, b, lo, hi)``. The search
+    starts from the answer ``x``, if it is given; the proof is about the problem, also if ``x`` is no solution. With a ``second`` answer it proves that both are solutions,
     and different; ``kind`` is then ``None`` or ``"not-unique"``. ``model`` replaces the friction model of the problem. Most
     proofs are about boxes. For cones lcplab can prove that a solution exists near ``x``, or that no solution exists, and for
     polygons that no solution exists; otherwise it raises :class:`InputError`.
@@ -73,14 +74,15 @@ def prove(
     """
     if second is not None and (x is None or kind not in (None, "not-unique")):
         raise ValueError("a second answer needs a first one, and the kind not-unique")
-    first = None if x is None else vector(x, "x")
-    other = None if second is None else vector(second, "second")
-    proof, missing = _lcplab.prove(problem._inner, first, other, kind, model)
+    of = one(problem)
+    first = None if x is None else answer(x, len(of))
+    other = None if second is None else answer(second, len(of), "second")
+    proof, missing = _lcplab.prove(of._inner, first, other, kind, model)
     text, claim = proof if proof is not None else (None, "nothing")
     return Proof(text, claim, dict(missing))
 
 
-def check(problem: Problem, proof: Proof | str | os.PathLike[str], *, model: str | None = None) -> str | None:
+def check(problem: ProblemLike, proof: Proof | str | os.PathLike[str], *, model: str | None = None) -> str | None:
     """Check a proof or a proof file: None if it is valid for the problem, otherwise the reason why it is not.
 
     ``model`` replaces the friction model of the problem.
@@ -96,4 +98,4 @@ def check(problem: Problem, proof: Proof | str | os.PathLike[str], *, model: str
     else:
         with open(proof, encoding="utf-8") as file:
             text = file.read()
-    return _lcplab.check(problem._inner, text, model)
+    return _lcplab.check(one(problem)._inner, text, model)

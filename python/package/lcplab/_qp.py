@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lcplab import _lcplab
-from lcplab._problem import Array, Problem, read_only, vector
+from lcplab._problem import Array, Problem, numbers, read_only
 from lcplab._solve import Result, Solver, Verdict, solve
 
 #: Differences of this multiple of n times the largest entry or eigenvalue of P are rounding.
@@ -118,7 +118,7 @@ def solve_qp(
     >>> s.x.tolist(), s.z.tolist(), s.verdict
     ([1.25, 0.75], [1.5], 'proved')
     """
-    right = vector(q, "q")
+    right = numbers(q, "q")
     if right.ndim != 1 or len(right) == 0:
         raise _invalid("q", "must be a list of at least one number")
     n = len(right)
@@ -153,9 +153,9 @@ def _block(matrix: Any, shape: tuple[int | None, int], name: str) -> Block:
     """The entries of a dense or sparse matrix, checked against its shape."""
     if hasattr(matrix, "tocoo"):
         sparse = matrix.tocoo()
-        found, rows, cols, values = sparse.shape, sparse.row, sparse.col, vector(sparse.data, name)
+        found, rows, cols, values = sparse.shape, sparse.row, sparse.col, numbers(sparse.data, name)
     else:
-        dense = vector(matrix, name)
+        dense = numbers(matrix, name)
         if shape[0] is None and dense.ndim == 1:
             dense = dense[np.newaxis, :]
         found, places = dense.shape, np.nonzero(dense)
@@ -173,7 +173,7 @@ def _rows(matrix: Any, right: Any, n: int, name: str, right_name: str) -> tuple[
         raise _invalid(name if matrix is None else right_name, "is missing")
     if matrix is None:
         return Block(np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros(0)), np.zeros(0)
-    values = np.atleast_1d(vector(right, right_name))
+    values = np.atleast_1d(numbers(right, right_name))
     block = _block(matrix, (None, n), name)
     count = matrix.shape[0] if hasattr(matrix, "tocoo") else len(np.atleast_2d(np.asarray(matrix)))
     if values.shape != (count,):
@@ -190,7 +190,7 @@ def _check_numbers(q: Array, h: Array, b: Array) -> None:
 
 
 def _bound(values: Any, n: int, default: float, name: str) -> Array:
-    bound = np.asarray(default if values is None else vector(values, name), dtype=np.float64)
+    bound = np.asarray(default if values is None else numbers(values, name), dtype=np.float64)
     if bound.ndim == 0 or (bound.shape == (1,) and n > 1):
         return np.full(n, float(bound.ravel()[0]))
     if bound.shape != (n,):

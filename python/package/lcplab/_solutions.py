@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 
 from lcplab import _lcplab
-from lcplab._problem import Array, Problem, read_only
+from lcplab._problem import Array, Problem, ProblemLike, one, read_only
 
 
 class Face:
@@ -88,10 +88,10 @@ class Solutions:
         return f"<lcplab.Solutions: infinitely many, in {len(self.faces)} face{'s' if len(self.faces) != 1 else ''}>"
 
 
-def solutions(problem: Problem, *, model: str | None = None) -> Solutions:
+def solutions(problem: ProblemLike, *, model: str | None = None) -> Solutions:
     """List all solutions of a problem, in exact arithmetic.
 
-    The problem may have up to 531,441 active sets: 19 contacts without friction, or 12 rows with two bounds; rows without
+    ``problem`` is a :class:`Problem`, the path of a problem file, or a tuple ``(A, b)`` or ``(A, b, lo, hi)``. It may have up to 531,441 active sets: 19 contacts without friction, or 12 rows with two bounds; rows without
     bounds do not count. It may have up to 1,024 corners. ``model`` replaces the friction model of the problem, which
     must be a box.
 
@@ -107,4 +107,5 @@ def solutions(problem: Problem, *, model: str | None = None) -> Solutions:
     >>> found, found.is_unique, found.x.tolist()
     (<lcplab.Solutions: infinitely many, in 1 face>, False, [[0.0, 1.0], [1.0, 0.0]])
     """
-    return Solutions(len(problem), *_lcplab.solutions(problem._inner, model))
+    of = one(problem)
+    return Solutions(len(of), *_lcplab.solutions(of._inner, model))

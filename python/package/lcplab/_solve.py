@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
 import json
+import operator
+import os
 from collections.abc import Callable, Iterable
 from typing import Any, Union
 
@@ -10,19 +13,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lcplab import _lcplab
-from lcplab._problem import Array, Problem, problem_of, read_only, vector
+from lcplab._problem import Array, Problem, ProblemLike, answer, problem_of, read_only
 
 #: A name that :func:`solvers` lists, or a function of ``A, b, lo, hi`` and keywords.
 Solver = Union[str, Callable[..., Any]]
 
 
 class Verdict:
-    """The judge's decision about x; true if x is a solution.
+    """The judge's decision about x; true if x is a solution. ``print`` shows what the command ``judge`` prints.
 
     Attributes
     ----------
     verdict : str
         ``"proved"``, ``"within_tolerance"`` or ``"not_a_solution"``.
+    residual : float
+        The largest scaled residual of a row.
+    certificate : dict
+        The object that ``lcplab judge --json`` prints: residuals, gaps and bounds of the error.
     row, amount : int and float, or None
         If x is rejected, the row with the largest scaled residual, and that residual.
     proof : dict or None
@@ -32,8 +39,9 @@ class Verdict:
         ``misalignment`` (degrees) of each contact.
     """
 
-    def __init__(self, is_solution: bool, certificate: dict[str, Any]) -> None:
+    def __init__(self, is_solution: bool, certificate: dict[str, Any], asked: tuple[Any, ...] | None = None) -> None:
         self._is_solution = is_solution
+        self._asked = asked
         self.certificate = certificate
         self.verdict: str = certificate["verdict"]
         self.row: int | None = certificate.get("row")
@@ -46,6 +54,13 @@ class Verdict:
     def __bool__(self) -> bool:
         return self._is_solution
 
+    def __str__(self) -> str:
+        return repr(self) if self._asked is None else _lcplab.judge_text(*self._asked).rstrip("\n")
+
+    def __getstate__(self) -> dict[str, Any]:
+        # A problem cannot be pickled.
+        return {**self.__dict__, "_asked": None}
+
     def __repr__(self) -> str:
         where = "" if self.row is None else f", scaled residual {self.amount:.1e} in row {self.row}"
         return f"<lcplab.Verdict {self.verdict}{where}>"
@@ -53,6 +68,8 @@ class Verdict:
 
 class Result(Verdict):
     """A solver's answer and the judge's verdict on it, with all attributes of a `Verdict`; true if x is a solution.
+
+    ``print`` shows the solver, its status and the verdict.
 
     Attributes
     ----------
@@ -68,8 +85,8 @@ class Result(Verdict):
         With ``trace=True``, the residuals and the objective after each iteration.
     """
 
-    def __init__(self, reported: dict[str, Any]) -> None:
-        super().__init__(reported["is_solution"], json.loads(reported["certificate"]))
+    def __init__(self, reported: dict[str, Any], asked: tuple[Any, ...] | None = None) -> None:
+        super().__init__(reported["is_solution"], json.loads(reported["certificate"]), asked)
         self._x, self._w = read_only(reported["x"]), read_only(reported["w"])
         self.status: str = reported["status"]
         self.message: str = reported["message"]
@@ -88,7 +105,16 @@ class Result(Verdict):
         """``A x + b``; read-only."""
         return self._w
 
+    def __str__(self) -> str:
+        if self._asked is None:
+            return repr(self)
+        title, _, verdict = super().__str__().partition("\n")
+        iterations = f"{self.iterations} iteration{'s' if self.iterations != 1 else ''}"
+        return f"{title}\nsolver     {self.solver}\nstatus     {self.message}, {iterations}\n{verdict}"
+
     def __repr__(self) -> str:
+        if self.status == "failed":
+            return f"<lcplab.Result failed by {self.solver}: {self.message}>"
         return (
             f"<lcplab.Result {self.status} by {self.solver}, iterations: {self.iterations}, "
             f"{self.verdict}: x = {np.array2string(self.x, precision=4, threshold=8)}>"
@@ -96,7 +122,7 @@ class Result(Verdict):
 
 
 def solve(
-    A: ArrayLike | Problem,
+    A: ArrayLike | ProblemLike,
     b: ArrayLike | None = None,
     lo: ArrayLike | None = None,
     hi: ArrayLike | None = None,
@@ -116,7 +142,8 @@ def solve(
     Parameters
     ----------
     A, b, lo, hi, friction_index, mu
-        The problem, with the arguments of :class:`Problem`; or ``A`` is a :class:`Problem`.
+        The problem, with the arguments of :class:`Problem`; or ``A`` is a :class:`Problem`, the path of a problem file, or
+        a tuple ``(A, b)`` or ``(A, b, lo, hi)``.
     solver : str or callable, optional
         A name that :func:`solvers` lists, or a function ``f(A, b, lo, hi, **settings)`` that returns x, yields
         iterates, or returns None. By default, lcplab tries the methods of ``docs/solvers.md`` in turn until one solves the
@@ -143,6 +170,8 @@ def solve(
     ------
     InputError
         If the input is invalid; the message lists every defect.
+    TypeError
+        If the solver is a function that cannot be called with A, b, lo, hi and the keywords.
 
     Examples
     --------
@@ -152,11 +181,13 @@ def solve(
     """
     problem = problem_of(A, b, lo, hi, friction_index, mu)
     given = settings(tolerance, max_iterations, omega, [solver])
-    return Result(_lcplab.solve(problem._inner, solver, given, model, prove, trace))
+    check_signature(solver, has_friction=problem.friction_index is not None)
+    reported = _lcplab.solve(problem._inner, solver, given, model, prove, trace)
+    return Result(reported, (problem._inner, reported["x"], given["tolerance"], model))
 
 
 def judge(
-    A: ArrayLike | Problem,
+    A: ArrayLike | ProblemLike,
     b: ArrayLike | None = None,
     x: ArrayLike | None = None,
     *,
@@ -169,20 +200,44 @@ def judge(
 ) -> Verdict:
     """Decide whether x is a solution, without knowing which program found it.
 
-    ``model`` is the friction model, as in :func:`solve`.
+    Parameters
+    ----------
+    A, b, lo, hi, friction_index, mu
+        The problem, as in :func:`solve`. With a whole problem as ``A``, x is the second argument: ``judge(problem, x)``.
+    x : (n,) array_like or Result
+        The answer.
+    model : str, optional
+        The friction model, as in :func:`solve`.
+    tolerance : float
+        The largest scaled residual of an accepted answer.
+
+    Returns
+    -------
+    Verdict
+        True if x is a solution.
+
+    Raises
+    ------
+    InputError
+        If the problem is invalid, or x is not a list of n numbers. Numbers that are not finite are a rejected answer.
 
     Examples
     --------
     >>> bool(judge([[2, -1], [-1, 2]], [-1, 2], [0.5, 0]))
     True
-    >>> judge([[2, -1], [-1, 2]], [-1, 2], [0.4, 0])
+    >>> problem = Problem([[2, -1], [-1, 2]], [-1, 2])
+    >>> judge(problem, [0.4, 0])
     <lcplab.Verdict not_a_solution, scaled residual 1.1e-01 in row 0>
     """
+    is_whole = isinstance(A, (Problem, str, os.PathLike)) or (isinstance(A, tuple) and 2 <= len(A) <= 4)
+    if x is None and b is not None and is_whole:
+        b, x = None, b
     if x is None:
-        raise TypeError("judge needs x")
+        raise TypeError("judge needs x: judge(problem, x) or judge(A, b, x)")
     problem = problem_of(A, b, lo, hi, friction_index, mu)
-    is_solution, reported = _lcplab.judge(problem._inner, vector(x, "x"), tolerance, model)
-    return Verdict(is_solution, json.loads(reported))
+    asked = (problem._inner, answer(x, len(problem)), _number(tolerance, "tolerance"), model)
+    is_solution, reported = _lcplab.judge(*asked)
+    return Verdict(is_solution, json.loads(reported), asked)
 
 
 class Document:
@@ -207,7 +262,7 @@ class Document:
 
 
 def explain(
-    A: ArrayLike | Problem,
+    A: ArrayLike | ProblemLike,
     b: ArrayLike | None = None,
     lo: ArrayLike | None = None,
     hi: ArrayLike | None = None,
@@ -249,6 +304,41 @@ def settings(
     """The settings of a solver; `omega` must be used by one of these solvers."""
     if omega is not None and not any(solver in ("sor", "ssor") for solver in solvers):
         raise _lcplab.InputError("options: omega: is used by no chosen solver; sor and ssor use it")
-    if max_iterations < 0:
-        raise _lcplab.InputError(f"options: max_iterations: must be at least 0, is {max_iterations}")
-    return {"tolerance": tolerance, "max_iterations": max_iterations, "omega": omega}
+    try:
+        most = operator.index(max_iterations)
+    except TypeError:
+        raise _lcplab.InputError(f"options: max_iterations: must be a whole number, is {max_iterations!r}") from None
+    if most < 0:
+        raise _lcplab.InputError(f"options: max_iterations: must be at least 0, is {most}")
+    factor = None if omega is None else _number(omega, "omega")
+    return {"tolerance": _number(tolerance, "tolerance"), "max_iterations": most, "omega": factor}
+
+
+def _number(value: Any, name: str) -> float:
+    if isinstance(value, (str, bytes)) or not hasattr(value, "__float__"):
+        raise _lcplab.InputError(f"options: {name}: must be a number, is {value!r}")
+    return float(value)
+
+
+def check_signature(solver: Solver | None, *, has_friction: bool) -> None:
+    """Reject a function that cannot be called with the arguments of a solver, which would fail on every problem.
+
+    Raises
+    ------
+    TypeError
+        If ``f(A, b, lo, hi, tolerance=, max_iterations=)`` is no valid call, with ``friction_index=`` and ``mu=`` for
+        problems with friction.
+    """
+    if solver is None or not callable(solver):
+        return
+    try:
+        signature = inspect.signature(solver)
+    except ValueError:  # a function in C may have no signature
+        return
+    names = ["tolerance", "max_iterations", *(["friction_index", "mu"] if has_friction else [])]
+    try:
+        signature.bind(*[None] * 4, **dict.fromkeys(names))
+    except TypeError as error:
+        name = getattr(solver, "__name__", "the solver")
+        call = f"{name}(A, b, lo, hi, {', '.join(f'{name}=' for name in names)})"
+        raise TypeError(f"solver: {call} is no valid call: {error}; a parameter **settings takes all keywords") from error

@@ -104,7 +104,7 @@ class Run:
 
 
 def receipts(
-    frames: Iterable[Any],
+    frames: Iterable[Any] | str | os.PathLike[str],
     *,
     baseline: Mapping[str, Any] | str | os.PathLike[str] | None = None,
     adapter: Adapter | None = None,
@@ -116,7 +116,8 @@ def receipts(
 
     Parameters
     ----------
-    frames : iterable
+    frames : iterable or path
+        A path as below, or an iterable of frames:
         Pairs ``(model, data)``, which may be the same objects after each step, or ``(model, data, before)`` with the
         ``before`` of :func:`receipt`; :class:`EngineStep`; paths of frames or of their folders: problem files
         (JSON or .npz) with the key ``motion`` whose answer is next to them, ``STEM.x.json``, or inside, ``answer``.
@@ -145,6 +146,8 @@ def receipts(
     (True, 0)
     """
     known = load(baseline)
+    if isinstance(frames, (str, os.PathLike)):
+        frames = [frames]
     found: dict[str, Receipt] = {}
     waiting: list[tuple[str, Step, Report | None]] = []
     # Steps are checked without the GIL while the next ones are read.
