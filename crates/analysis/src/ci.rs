@@ -5,6 +5,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use lcplab_page::escape::{xml_line as escape, xml_text};
+use lcplab_page::number::plain;
 
 /// A result compared with the recorded one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -109,12 +110,14 @@ fn properties(case: &Case) -> String {
 fn result(case: &Case) -> String {
     let (tag, why) = match &case.verdict {
         Verdict::Passed | Verdict::Fixed => return String::new(),
-        Verdict::Known(why) => ("skipped", escape(why)),
-        Verdict::Failed(why) => ("failure", escape(why)),
+        Verdict::Known(why) => ("skipped", escape(&plain(why))),
+        Verdict::Failed(why) => ("failure", escape(&plain(why))),
     };
     match case.details.is_empty() {
         true => format!("    <{tag} message=\"{why}\"/>\n"),
-        false => format!("    <{tag} message=\"{why}\">{}</{tag}>\n", xml_text(&case.details)),
+        false => {
+            format!("    <{tag} message=\"{why}\">{}</{tag}>\n", xml_text(&plain(&case.details)))
+        }
     }
 }
 
@@ -141,8 +144,8 @@ fn sarif_result(case: &Case) -> Option<Value> {
         Verdict::Failed(why) => ("error", why),
     };
     let text = match case.details.is_empty() {
-        true => format!("{}: {why}", case.class),
-        false => case.details.clone(),
+        true => plain(&format!("{}: {why}", case.class)),
+        false => plain(&case.details),
     };
     let mut result = json!({ "ruleId": case.rule, "level": level, "message": { "text": text } });
     if case.is_file {
