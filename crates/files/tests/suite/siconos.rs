@@ -149,7 +149,7 @@ fn rows_of_a_listing_are_not_taken_for_columns() {
 #[test]
 fn each_defect_has_its_line() {
     let cases = [
-        ("", "p: has no numbers"),
+        ("", "p: is empty"),
         ("only words", "p: has no numbers"),
         ("2 0 2 2 2 3", "p: line 1: 2 × 3 here, 2 × 2 before"),
         ("1\n2\n1\n1", "p: line 4: the file ends before the origin of M"),
