@@ -23,7 +23,7 @@ mod raster;
 pub mod scene_matrix;
 mod series;
 mod simplify;
-mod spies;
+mod small;
 mod spy;
 pub mod style;
 
@@ -34,7 +34,7 @@ pub use line::Lines;
 pub use panel::Panel;
 pub use raster::Raster;
 pub use series::{Look, Series};
-pub use spies::{Small, Spies};
+pub use small::Small;
 pub use spy::Spy;
 
 pub use crate::figure::Figure;

@@ -129,9 +129,4 @@ impl Raster {
         }
         markup + "</g>\n"
     }
-
-    /// One record per nonempty cell: line, position, shade.
-    pub(super) fn records(&self) -> impl Iterator<Item = [String; 3]> {
-        self.shaded().map(|(line, cell, shade)| [line, cell, shade + 1].map(|k| k.to_string()))
-    }
 }

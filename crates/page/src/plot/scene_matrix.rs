@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use super::canvas::{Anchor, Canvas, escape, hex};
-use super::spies::{INDICES, Small};
+use super::small::{INDICES, Small};
 use super::style::{self, FAINT_INK, INK, TEXT};
 use crate::csv;
 use crate::figure::Figure;

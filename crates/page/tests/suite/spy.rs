@@ -44,26 +44,14 @@ fn an_entry_outside_is_an_error_with_its_place() {
 }
 
 #[test]
-fn many_patterns_share_a_sheet_and_say_what_they_are() {
-    use lcplab_page::plot::{Raster, Small, Spies};
+fn a_raster_counts_the_entries_of_each_cell() {
+    use lcplab_page::plot::Raster;
     let raster = |n: usize| Raster::new((n, n), 8, |mark| (0..n).for_each(|i| mark(i, i)));
     assert_eq!(raster(3).cells, ["4", "04", "004"]);
     // 20 rows in cells of 3: three of nine entries are a third; the last cell has two of four.
     assert_eq!((raster(20).block, raster(20).nonzeros, raster(20).fill()), (3, 20, 5.0));
     assert_eq!(raster(20).cells[0], "3");
     assert_eq!(raster(20).cells[6], "0000004");
-    let panel =
-        |n: usize| Small { name: format!("<{n}>"), note: "a note".into(), raster: raster(n) };
-    let sheet = Spies {
-        id: "a".into(),
-        title: "Patterns".into(),
-        caption: "Where they are not zero.".into(),
-        across: 3,
-        panels: [0, 1, 3, 20].map(panel).to_vec(),
-    };
-    assert_well_formed(&sheet);
-    assert!(sheet.svg().contains("&lt;20&gt;") && sheet.svg().contains("a note"));
-    assert_eq!(sheet.csv().lines().count(), 1 + 1 + 3 + 7);
 }
 
 #[test]

@@ -1,8 +1,7 @@
-//! Patterns of the matrices of scenes: J and A in one step ([`pattern`]), A of all shipped scenes
-//! ([`gallery`]), and the factor of A with three orderings ([`factor`]).
+//! Patterns of the matrices of scenes: J and A in one step ([`pattern`]), and the factor of A with
+//! three orderings ([`factor`]).
 
 pub mod factor;
-pub mod gallery;
 pub mod pattern;
 
 use schemars::JsonSchema;
@@ -16,7 +15,6 @@ use crate::scene::{Scene, Scheme};
 use crate::simulation::{self, Simulation};
 use crate::solver::{self, Pgs, Registry};
 use factor::Factor;
-use gallery::{Gallery, Picture};
 use pattern::Patterns;
 
 /// The matrices to draw.
@@ -26,9 +24,6 @@ pub struct Plan {
     /// LCPs whose J and A are drawn.
     #[serde(default)]
     pub scenes: Vec<AtStep>,
-    /// The patterns of A of the shipped scenes.
-    #[serde(default)]
-    pub gallery: Option<Gallery>,
     /// LCPs whose A is factorized with three orderings.
     #[serde(default)]
     pub factors: Vec<AtStep>,
@@ -40,8 +35,6 @@ pub struct Plan {
 pub enum Finding {
     /// J and A of one step.
     Patterns(Patterns),
-    /// A of many scenes.
-    Gallery(Vec<Picture>),
     /// The factor of A.
     Factor(Factor),
 }
@@ -49,15 +42,13 @@ pub enum Finding {
 /// A task.
 enum Task<'a> {
     Patterns(&'a AtStep),
-    Gallery(&'a Gallery),
     Factor(&'a AtStep),
 }
 
 impl Plan {
     fn list(&self) -> Vec<Task<'_>> {
         let patterns = self.scenes.iter().map(Task::Patterns);
-        let gallery = self.gallery.iter().map(Task::Gallery);
-        patterns.chain(gallery).chain(self.factors.iter().map(Task::Factor)).collect()
+        patterns.chain(self.factors.iter().map(Task::Factor)).collect()
     }
 }
 
@@ -69,7 +60,6 @@ impl Study for Plan {
     fn tasks(&self) -> Vec<String> {
         let name = |task: Task<'_>| match task {
             Task::Patterns(at) => at.scene.clone(),
-            Task::Gallery(_) => "all scenes".into(),
             Task::Factor(at) => format!("factor of {}", at.scene),
         };
         self.list().into_iter().map(name).collect()
@@ -78,7 +68,6 @@ impl Study for Plan {
     fn run(&self, task: usize, _: &Registry) -> Result<(Finding, ())> {
         let finding = match self.list()[task] {
             Task::Patterns(at) => Finding::Patterns(pattern::run(at)?),
-            Task::Gallery(gallery) => Finding::Gallery(gallery.run()?),
             Task::Factor(at) => Finding::Factor(factor::run(at)?),
         };
         Ok((finding, ()))

@@ -1,7 +1,6 @@
 //! Patterns of matrices.
 
 mod factor;
-mod gallery;
 mod pattern;
 
 use super::{Outcome, ReportPage, View};
@@ -17,11 +16,6 @@ impl View for Plan {
         let factors: Vec<&Factor> = factors(findings).collect();
         if !patterns.is_empty() {
             pattern::show(&patterns, &factors, document);
-        }
-        for finding in findings {
-            if let Finding::Gallery(pictures) = finding {
-                gallery::show(pictures, document);
-            }
         }
         if !factors.is_empty() {
             factor::show(&factors, document);
