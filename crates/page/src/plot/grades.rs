@@ -10,7 +10,7 @@ use crate::figure::Figure;
 use crate::number::readable;
 
 /// The height of a row, of the name of a group, and of the key in px.
-const ROW: f64 = 21.0;
+const ROW: f64 = 19.0;
 const GROUP: f64 = 32.0;
 const KEY: f64 = 34.0;
 const TOP: f64 = 40.0;
@@ -42,6 +42,8 @@ pub struct Grades {
     pub groups: Vec<(String, Vec<String>)>,
     /// The name of each row, and a cell for each column.
     pub rows: Vec<(String, Vec<Grade>)>,
+    /// The section of the page that each row leads to; may be empty.
+    pub links: Vec<String>,
 }
 
 /// A cell.
@@ -100,7 +102,9 @@ impl Figure for Grades {
         };
         let left = self.left();
         let keys = key(left.min(wide / 4.0), wide);
-        let block = self.head() + ROW * self.rows.len() as f64;
+        let cells = blocks.iter().map(|groups| self.cell(groups, wide));
+        let head = self.head(cells.fold(f64::INFINITY, f64::min));
+        let block = head + ROW * self.rows.len() as f64;
         let blocks_height =
             block * blocks.len() as f64 + BETWEEN * blocks.len().saturating_sub(1) as f64;
         let key_height = keys.last().map_or(0.0, |(_, y)| *y) + KEY;
@@ -108,7 +112,7 @@ impl Figure for Grades {
             Canvas::titled(wide, TOP + blocks_height + key_height, &self.title);
         let mut top = TOP + lower;
         for groups in blocks {
-            self.draw_groups(&mut canvas, groups, wide, top);
+            self.draw_groups(&mut canvas, groups, wide, (top, head));
             top += block + BETWEEN;
         }
         for ((_, color, name), (x, y)) in SHADES.iter().zip(keys) {
@@ -162,28 +166,50 @@ impl Grades {
         style::EDGE + names + 10.0
     }
 
-    /// The height of the names above the cells in px; those of columns are turned.
-    fn head(&self) -> f64 {
+    /// The width of the cells of some groups side by side in px.
+    fn cell(&self, groups: &Range<usize>, wide: f64) -> f64 {
+        let columns: usize = self.groups[groups.clone()].iter().map(|(_, own)| own.len()).sum();
+        let gaps = GAP * groups.len().saturating_sub(1) as f64;
+        (wide - style::EDGE - self.left() - gaps) / columns.max(1) as f64
+    }
+
+    /// The width of the longest name of a column in px.
+    fn longest(&self) -> f64 {
         let names = self.groups.iter().flat_map(|(_, names)| names);
-        GROUP + names.map(|name| style::width(name, TEXT)).fold(0.0, f64::max)
+        names.map(|name| style::width(name, TEXT)).fold(0.0, f64::max)
+    }
+
+    /// The height of the names above cells of this width in px; those of columns are turned if they
+    /// are wider than a cell.
+    fn head(&self, cell: f64) -> f64 {
+        GROUP + if self.longest() <= cell { ROW - 7.0 } else { self.longest() }
     }
 
     /// Draws some groups side by side, from this height (px) on.
-    fn draw_groups(&self, canvas: &mut Canvas, groups: Range<usize>, wide: f64, top: f64) {
+    fn draw_groups(
+        &self,
+        canvas: &mut Canvas,
+        groups: Range<usize>,
+        wide: f64,
+        (top, head): (f64, f64),
+    ) {
         let before: usize = self.groups[..groups.start].iter().map(|(_, own)| own.len()).sum();
-        let columns: usize = self.groups[groups.clone()].iter().map(|(_, own)| own.len()).sum();
-        let gaps = GAP * groups.len().saturating_sub(1) as f64;
-        let (left, head) = (self.left(), self.head());
-        let width = (wide - style::EDGE - left - gaps) / columns.max(1) as f64;
+        let (left, width) = (self.left(), self.cell(&groups, wide));
+        let is_turned = head >= GROUP + self.longest();
         let mut places = Vec::new();
         let mut x = left;
         for (group, names) in &self.groups[groups] {
             canvas.text((x, top + 12.0), Anchor::Start, TEXT, INK, group);
             for name in names {
-                let (base, foot) = (x + width / 2.0 + 4.5, top + head - 7.0);
-                canvas.raw(&format!("<g transform=\"rotate(-90 {base:.1} {foot:.1})\">"));
-                canvas.text((base, foot), Anchor::Start, TEXT, FAINT_INK, name);
-                canvas.raw("</g>\n");
+                let (middle, foot) = (x + width / 2.0, top + head - 7.0);
+                if is_turned {
+                    let base = middle + 4.5;
+                    canvas.raw(&format!("<g transform=\"rotate(-90 {base:.1} {foot:.1})\">"));
+                    canvas.text((base, foot), Anchor::Start, TEXT, FAINT_INK, name);
+                    canvas.raw("</g>\n");
+                } else {
+                    canvas.text((middle, foot), Anchor::Middle, TEXT, FAINT_INK, name);
+                }
                 places.push(x);
                 x += width;
             }
@@ -191,7 +217,12 @@ impl Grades {
         }
         for (k, (name, cells)) in self.rows.iter().enumerate() {
             let y = top + head + ROW * k as f64;
-            canvas.text((left - 8.0, y + 15.0), Anchor::End, TEXT, INK, name);
+            let link = self.links.get(k);
+            if let Some(section) = link {
+                canvas.raw(&format!("<a href=\"#{}\">", escape(section)));
+            }
+            canvas.text((left - 8.0, y + 14.0), Anchor::End, TEXT, INK, name);
+            canvas.raw(if link.is_some() { "</a>\n" } else { "" });
             for (grade, x) in cells[before..].iter().zip(&places) {
                 draw_cell(canvas, *grade, (*x, y), width);
             }
@@ -214,7 +245,7 @@ fn draw_cell(canvas: &mut Canvas, grade: Grade, (x, y): (f64, f64), width: f64) 
     canvas.raw(&format!(
         "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{SMALL}\" fill=\"{ink}\">{}</text>\n",
         x + width / 2.0,
-        y + 14.5,
+        y + 13.5,
         escape(&grade.words())
     ));
 }

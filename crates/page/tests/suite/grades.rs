@@ -12,6 +12,7 @@ fn matrix() -> Grades {
         caption: String::new(),
         groups: vec![group("as installed"), group("accurate")],
         rows: vec![("free fall".into(), cells)],
+        links: Vec::new(),
     }
 }
 

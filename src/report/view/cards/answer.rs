@@ -1,10 +1,11 @@
 //! Which engine for which use: the laws that a use requires, the engines that obey all of them, and
 //! those with the largest deviations.
 
+use super::phenomenon::section;
 use super::{ACCURATE, DEFAULTS, OWN};
 use crate::number::readable;
 use crate::report::page::{Cell, Table};
-use crate::report::study::cards::{Column, Engine, Phenomenon, Record};
+use crate::report::study::cards::{Column, Engine, Measured, Phenomenon, Record};
 
 /// Possible uses, and the phenomena that each requires.
 const USES: [(&str, &[&str]); 7] = [
@@ -17,22 +18,34 @@ const USES: [(&str, &[&str]); 7] = [
     ("Learning and optimization", &["predictability", "order", "repeat"]),
 ];
 
-/// What was tested, and the engine that obeys the most laws.
+/// How many engines obey all laws, and the one that obeys the most.
 pub fn of(record: &Record) -> String {
     let others = || record.engines.iter().filter(|engine| engine.name != OWN);
-    let held = |name: &str, settings: &str| {
-        let obeys = |own: &&Phenomenon| column(own, name, settings).is_some_and(Column::holds);
-        record.phenomena.iter().filter(obeys).count()
+    let runs = |engine: &Engine, settings: &str| -> Vec<&Column> {
+        let runs = record.phenomena.iter().filter_map(|own| column(own, &engine.name, settings));
+        runs.filter(|own| own.unsupported.is_none()).collect()
+    };
+    let held = |engine: &Engine, settings: &str| {
+        runs(engine, settings).iter().filter(|own| own.holds()).count()
+    };
+    let laws = record.phenomena.len();
+    let is_faultless =
+        |engine: &&Engine| [DEFAULTS, ACCURATE].iter().any(|own| held(engine, own) == laws);
+    let faultless = match others().filter(is_faultless).count() {
+        0 => "none obeys".to_string(),
+        1 => "one obeys".into(),
+        count => format!("{count} obey"),
     };
     let best = |settings: &str| {
-        let count = |engine: &&Engine| held(&engine.name, settings);
-        let best = others().max_by_key(count);
-        best.map_or(String::new(), |best| format!("{} obeys {}", best.title, count(&best)))
+        let best = others().max_by_key(|engine| held(engine, settings));
+        best.map_or(String::new(), |best| {
+            let supported = runs(best, settings).len();
+            format!("{}, {} of the {supported} that it supports", best.title, held(best, settings))
+        })
     };
     format!(
-        "{} laws of mechanics, each in its own scene, tested on {} physics engines. With default settings {} \
-         of them, the most of all; with accurate settings {}.",
-        record.phenomena.len(),
+        "**Of {} physics engines {faultless} all {laws} laws of mechanics**, each tested in its own scene. As installed, \
+         the engine that obeys most laws is {}; with accurate settings it is {}.",
         others().count(),
         best(DEFAULTS),
         best(ACCURATE)
@@ -65,7 +78,7 @@ fn row(record: &Record, what: &str, names: &[&str]) -> Vec<Cell> {
         Cell::text(if titles.is_empty() { "none".into() } else { titles.join(", ") })
     };
     let names = rests_on.iter().map(|own| words(&own.name)).collect::<Vec<_>>().join(", ");
-    let links = rests_on.iter().map(|own| format!("[{}](#{})", words(&own.name), own.name));
+    let links = rests_on.iter().map(|own| format!("[{}](#{})", words(&own.name), section(own)));
     let markup = links.collect::<Vec<_>>().join(", ");
     let worst = rests_on.iter().filter_map(|own| farthest(record, own));
     let worst = worst.max_by(|a, b| a.0.total_cmp(&b.0)).map_or("none".into(), |(_, said)| said);
@@ -87,22 +100,56 @@ fn words(name: &str) -> String {
 }
 
 /// The largest violation of a law with default settings, in tolerances, and that in words with its
-/// number and the law's.
+/// number and the law's; a run that failed is the largest of all.
 fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<(f64, String)> {
-    let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
-    let missed = installed.filter_map(|own| Some((own, own.worst().filter(|worst| !worst.holds)?)));
-    let (column, worst) = missed.max_by(|a, b| a.1.miss().total_cmp(&b.1.miss()))?;
-    let law = match worst.law {
-        0.0 => String::new(),
-        law => format!(", not {}", quantity(law, &worst.unit)),
+    let name = words(&phenomenon.name);
+    let installed = || phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
+    if let Some((own, why)) = installed().find_map(|own| Some((own, own.failed.as_ref()?))) {
+        return Some((
+            f64::INFINITY,
+            format!("{name}: {} fails: {why}", record.title(&own.engine)),
+        ));
+    }
+    let missed =
+        || installed().filter_map(|own| Some((own, own.worst().filter(|own| !own.holds)?)));
+    let most = missed().map(|(_, worst)| worst.miss()).max_by(f64::total_cmp)?;
+    let mut those = missed().filter(|(_, worst)| worst.miss() == most);
+    let (column, worst) = those.next()?;
+    let others = match those.count() {
+        0 => String::new(),
+        count => format!(" (like {count} others)"),
     };
-    let (engine, found) = (record.title(&column.engine), quantity(worst.value, &worst.unit));
-    let said = format!("{}: {engine} {} {found}{law}", words(&phenomenon.name), worst.what);
-    Some((worst.miss(), said))
+    let engine = record.title(&column.engine);
+    let found = found(worst);
+    // What moves at meters per second does not creep.
+    let what = match found.ends_with("\u{a0}m/s") {
+        true => worst.what.replace("creep", "slide"),
+        false => worst.what.clone(),
+    };
+    Some((most, format!("{name}: {engine}{others} {what} {}", found.trim_end_matches(','))))
 }
 
-/// A number with its unit.
+/// A measured number, and that of the law unless this is 0.
+pub fn found(measured: &Measured) -> String {
+    let law = match measured.law {
+        0.0 => String::new(),
+        // Of "% of a body's weight" only the sign.
+        law => {
+            let unit = measured.unit.split(" of ").next().unwrap_or_default();
+            format!(", not {},", quantity(law, unit))
+        }
+    };
+    format!("{}{law}", quantity(measured.value, &measured.unit))
+}
+
+/// A number with its unit, or with a larger one if it has thousands.
 fn quantity(value: f64, unit: &str) -> String {
-    let gap = if matches!(unit, "" | "°") { "" } else { " " };
+    let (value, unit) = match (value.abs(), unit) {
+        (size, "µm/s") if size >= 1e6 => (1e-6 * value, "m/s"),
+        (size, "µm/s") if size >= 1e3 => (1e-3 * value, "mm/s"),
+        (size, "mm") if size >= 1e3 => (1e-3 * value, "m"),
+        _ => (value, unit),
+    };
+    let gap = if matches!(unit, "" | "°") { "" } else { "\u{a0}" };
     format!("{}{gap}{unit}", readable(value, 3))
 }

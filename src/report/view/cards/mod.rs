@@ -59,12 +59,12 @@ impl View for Plan {
 
     fn show(&self, findings: &[Record], document: &mut ReportPage) {
         for record in findings {
-            document.table("cards_laws", laws(record));
-            document.fold_rest();
             document.text(
-                "To rerun a phenomenon on an installed engine: `python -m lcplab.cards --engine mujoco --phenomenon \
-                 creep`. Each engine uses the time step of its settings.",
+                "To rerun a law on an installed engine: `python -m lcplab.cards --engine mujoco --phenomenon creep`. \
+                 In the figures below the pale line is the law; the others are the engines that visibly break it as \
+                 installed, each with the time step of its settings.",
             );
+            document.fold_rest();
             for (name, id, words) in [
                 (DEFAULTS, "installed", "As installed"),
                 (ACCURATE, "accurate", "With settings for accuracy"),
@@ -75,9 +75,7 @@ impl View for Plan {
             document.table("cards_schemes", matrix(record, "lcplab's own schemes", &own(record)));
             document.table("cards_settings", settings(record));
             frames::show(record, document);
-            for phenomenon in &record.phenomena {
-                phenomenon::show(record, phenomenon, document);
-            }
+            phenomenon::show_all(record, document);
         }
     }
 
@@ -160,16 +158,14 @@ fn heat(record: &Record) -> Grades {
     let (held, all) = (measured.clone().filter(|column| column.holds()).count(), measured.count());
     Grades {
         id: "cards_matrix".into(),
-        title: format!(
-            "As installed, the engines obey their law in {held} of {all} runs of {} laws",
-            record.phenomena.len()
-        ),
+        title: format!("As installed, the engines obey the law in {held} of {all} tests"),
         caption: format!(
             "A number is the largest violation of the law in multiples of its tolerance, with k for thousands; ✗: the run \
              failed; –: the engine or its adapter does not support the scene. Releases: {}.",
             releases(record)
         ),
         rows: record.phenomena.iter().map(row).collect(),
+        links: record.phenomena.iter().map(|own| phenomenon::section(own).into()).collect(),
         groups: groups
             .iter()
             .map(|(name, ways)| {
@@ -196,32 +192,10 @@ fn grade(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Grade {
     }
 }
 
-/// The question of each law, and how many engines obey it.
-fn laws(record: &Record) -> Table {
-    let row = |phenomenon: &Phenomenon| {
-        let obeyed = |settings: &str| {
-            let columns = phenomenon.columns.iter().filter(|own| own.engine != OWN);
-            let runs = columns.filter(|own| own.settings == settings && own.unsupported.is_none());
-            let held = runs.clone().filter(|own| own.holds()).count();
-            Cell::text(format!("{held} of {}", runs.count()))
-        };
-        let asked =
-            Cell { link: format!("#{}", phenomenon.name), ..Cell::text(&phenomenon.question) };
-        let name = Cell::text(phenomenon.name.replace('_', " "));
-        vec![name, asked, obeyed(DEFAULTS), obeyed(ACCURATE)]
-    };
-    Table::new(
-        "The laws",
-        "The numbers of engines that obey the law, and of those that support the scene.",
-        "law | question | #as installed | #accurate settings",
-        record.phenomena.iter().map(row).collect(),
-    )
-}
-
 fn matrix(record: &Record, title: &str, ways: &Ways<'_>) -> Table {
     let row = |phenomenon: &Phenomenon| {
-        let asked =
-            Cell { link: format!("#{}", phenomenon.name), ..Cell::text(&phenomenon.question) };
+        let link = format!("#{}", phenomenon::section(phenomenon));
+        let asked = Cell { link, ..Cell::text(&phenomenon.question) };
         let cells = ways.iter().map(|(_, engine, settings)| cell(phenomenon, engine, settings));
         std::iter::once(asked).chain(cells).collect()
     };

@@ -1,6 +1,6 @@
 //! A phenomenon: its law, the curves of all engines, and the numbers.
 
-use super::{ACCURATE, DEFAULTS, times};
+use super::{ACCURATE, DEFAULTS, OWN, answer, times};
 use crate::number::{capitalized, readable};
 use crate::plot::{Axis, Lines, Panel, Series};
 use crate::report::page::{Block, Cell, Mark, Table};
@@ -13,16 +13,58 @@ pub const NO_ROWS: &str = "no rows";
 /// A departure from the law above this part of the extent of a curve is visible.
 const VISIBLE: f64 = 0.02;
 
-/// Adds a section.
-pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage) {
-    document.open(&phenomenon.name, &phenomenon.question);
-    document.text(&phenomenon.matters);
-    document.equation(&phenomenon.law, "the law");
-    match figure(record, phenomenon) {
-        Some(figure) => document.figure(figure),
-        None => document.text(format!("{}.", title(record, phenomenon))),
+/// The laws that have a section of their own, each with what should hold in its scene and, if the
+/// record's words do not fit a sentence about it, what happens instead.
+const SHOWN: [(&str, &str, &str); 6] = [
+    ("creep", "A cube that friction should hold", "slides at"),
+    ("wall", "A slab that friction should hold at a wall", "slides at"),
+    ("lift", "A cube that should slide on the floor", ""),
+    ("stopping", "A sliding cube", ""),
+    ("mass_ratio", "A cube", ""),
+    ("top", "A top that should precess steadily", ""),
+];
+
+/// The section of the other laws.
+const OTHERS: &str = "other_laws";
+
+fn shown(phenomenon: &Phenomenon) -> Option<&'static (&'static str, &'static str, &'static str)> {
+    SHOWN.iter().find(|(name, ..)| *name == phenomenon.name)
+}
+
+/// The section with a law's numbers.
+pub fn section(phenomenon: &Phenomenon) -> &str {
+    if shown(phenomenon).is_some() { &phenomenon.name } else { OTHERS }
+}
+
+/// Adds a section for each of the most telling laws, and one for all others.
+pub fn show_all(record: &Record, document: &mut ReportPage) {
+    let (own, others): (Vec<_>, Vec<_>) =
+        record.phenomena.iter().partition(|phenomenon| shown(phenomenon).is_some());
+    for phenomenon in own {
+        document.open(&phenomenon.name, &phenomenon.question);
+        document.text(&phenomenon.matters);
+        document.equation(&phenomenon.law, "the law");
+        if let Some(figure) = figure(record, phenomenon) {
+            document.figure(figure);
+        }
+        document.fold_rest();
+        details(record, phenomenon, document);
     }
+    if others.is_empty() {
+        return;
+    }
+    document.open(OTHERS, "The other laws");
+    document.text("Figure 1 has their results; below are their formulas, scenes and measurements.");
     document.fold_rest();
+    for phenomenon in others {
+        document.text(format!("**{}** {}", phenomenon.question, phenomenon.matters));
+        document.equation(&phenomenon.law, "the law");
+        details(record, phenomenon, document);
+    }
+}
+
+/// The tolerance, the measurements and the scene.
+fn details(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage) {
     document.text(format!("**Allowed**: {}", phenomenon.allowed));
     if !phenomenon.reported.is_empty() {
         document.text(&phenomenon.reported);
@@ -34,7 +76,8 @@ pub fn show(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage)
 
 /// The law and the engines that break it as installed; nothing if none does.
 fn figure(record: &Record, phenomenon: &Phenomenon) -> Option<Lines> {
-    let Phenomenon { x, y, .. } = phenomenon;
+    let Phenomenon { x, y, allowed, .. } = phenomenon;
+    let allowed = allowed.split_once(". ").map_or(allowed.as_str(), |(first, _)| first);
     let points = |y: &[f64]| x.values.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>();
     let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
     let breaks = installed.filter(|own| !own.holds() && is_apart(&own.y, &y.law));
@@ -48,7 +91,7 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Option<Lines> {
     let figure = Lines {
         id: format!("cards_{}", phenomenon.name),
         title: title(record, phenomenon),
-        caption: "Pale: the law. Lines: the engines that visibly break it as installed.".into(),
+        caption: format!("Allowed: {}.", allowed.trim_end_matches('.')),
         x: match phenomenon.log {
             true => Axis::log(&x.name, &x.unit),
             false => Axis::linear(&x.name, &x.unit),
@@ -68,33 +111,28 @@ fn is_apart(y: &[f64], law: &[f64]) -> bool {
     apart > VISIBLE * extent(law).max(extent(y))
 }
 
-/// The finding: how many engines break the law as installed, the largest violation, and how many
-/// break it with accurate settings.
+/// The finding: the largest violation as installed, and how many engines obey the law.
 fn title(record: &Record, phenomenon: &Phenomenon) -> String {
-    let runs = |settings: &str| -> Vec<&Column> {
-        let runs = phenomenon.columns.iter().filter(|own| own.settings == settings);
-        runs.filter(|own| own.unsupported.is_none()).collect()
+    let obeyed = |settings: &str| {
+        let runs = phenomenon.columns.iter().filter(|own| own.engine != OWN);
+        let runs = runs.filter(|own| own.settings == settings && own.unsupported.is_none());
+        (runs.clone().filter(|own| own.holds()).count(), runs.count())
     };
-    let broken = |runs: &[&Column], none: &str| {
-        let count = runs.iter().filter(|own| !own.holds()).count();
-        match count {
-            0 => none.into(),
-            _ if count == runs.len() => format!("all {count}"),
-            _ => format!("{count} of {}", runs.len()),
+    let ((installed, all), (accurate, _)) = (obeyed(DEFAULTS), obeyed(ACCURATE));
+    let installed_runs = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
+    let missed = installed_runs.filter_map(|own| Some((own, own.worst()?)));
+    let worst = missed.filter(|(_, worst)| !worst.holds);
+    let worst = worst.max_by(|a, b| a.1.miss().total_cmp(&b.1.miss()));
+    let happens = match (worst, shown(phenomenon)) {
+        (Some((column, worst)), Some((_, what, verb))) => {
+            let verb = if verb.is_empty() { &worst.what } else { *verb };
+            let engine = record.title(&column.engine);
+            format!("{what} {verb} {} in {engine}; ", answer::found(worst))
         }
+        _ => String::new(),
     };
-    let (installed, accurate) = (runs(DEFAULTS), runs(ACCURATE));
-    let quantity = capitalized(&phenomenon.name.replace('_', " "));
-    let missed = installed.iter().filter_map(|own| Some((own, own.worst()?.miss())));
-    let worst = missed.filter(|(own, _)| !own.holds()).max_by(|a, b| a.1.total_cmp(&b.1));
-    let worst = worst.map_or(String::new(), |(own, miss)| match miss.is_finite() {
-        true => format!(", {} by {} the tolerance", record.title(&own.engine), times(miss)),
-        false => format!(", {} without bound", record.title(&own.engine)),
-    });
     format!(
-        "{quantity}: as installed {} engines break the law{worst}; with accurate settings {}",
-        broken(&installed, "no"),
-        broken(&accurate, "none")
+        "{happens}{installed} of {all} engines obey the law as installed, {accurate} with accurate settings"
     )
 }
 
