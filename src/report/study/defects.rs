@@ -69,6 +69,9 @@ pub struct Replay {
     pub what: Option<String>,
     /// How the run is worse than that of the corrected release.
     pub worse: Vec<String>,
+    /// The largest error of the motion in a step, relative to its change in this step.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_motion_error: Option<f64>,
     /// The packages that cannot be installed or run.
     pub packages: Vec<String>,
     /// Why not.

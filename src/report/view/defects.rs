@@ -1,9 +1,12 @@
 //! Replayed defects as a table with one row per defect.
 
 use super::{Headline, Outcome, ReportPage, View};
-use crate::number::count;
+use crate::number::{count, readable};
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::defects::{Defect, Plan, Record, Replay};
+
+/// The stage whose errors are those of the motion.
+const SOLVER: &str = "solver";
 
 impl View for Plan {
     const TITLE: &'static str = "Known defects of physics engines, replayed";
@@ -11,7 +14,6 @@ impl View for Plan {
     fn show(&self, findings: &[Record], document: &mut ReportPage) {
         for Record { defects, .. } in findings {
             document.table("defects", table(defects));
-            document.table("receipts", receipts(defects));
         }
     }
 
@@ -19,7 +21,11 @@ impl View for Plan {
         Headline::of(
             findings
                 .first()
-                .map(|record| format!("**Receipts detect known defects**: {}.", says(record))),
+                .map(|record| format!(
+                    "A *receipt* is lcplab's verification report of one step of an engine. **Receipts detect known \
+                     defects**: {}.",
+                    says(record)
+                )),
         )
     }
 
@@ -46,26 +52,45 @@ fn says(record: &Record) -> String {
 
 fn table(defects: &[Defect]) -> Table {
     let rows = defects.iter().map(|defect| {
-        let mark = if defect.is_detected() { Mark::Good } else { Mark::Bad };
-        let outcome = defect.outcome.strip_prefix("detected ").unwrap_or(&defect.outcome);
+        let mark = match (defect.is_detected(), defect.bad.refused) {
+            (true, 0) => Mark::Plain, // by comparison
+            (true, _) => Mark::Good,
+            (false, _) => Mark::Bad,
+        };
+        let issue = defect.source.rsplit_once(", ").map_or("–", |(_, issue)| issue);
         vec![
             Cell::text(&defect.what),
             Cell::text(format!("{} → {}", defect.bad.versions.join(", "), version(defect))),
+            Cell::text(issue),
             Cell::text(&defect.stage),
-            rejected(&defect.bad),
+            rejected(&defect.bad).marked(mark),
             rejected(&defect.mended),
-            Cell::text(outcome).marked(mark),
+            Cell::text(said(defect)),
         ]
     });
-    let how = "*releases*: the defective and the corrected one. The same scene runs in both, and each \
-               step is checked with default arguments; *before* and *after* are their rejected steps. The stage is the part of the step that was wrong: \
-               collision (contacts and their geometry), assembly (the rows and matrices of the \
-               problem), solver, or write-back (new velocities and reported forces). By \
-               comparison: no step is rejected, but the errors are larger than in the run of the \
-               corrected release.";
-    let headings =
-        "what was wrong | releases | stage | #rejected before | #rejected after | outcome";
+    let how = "The same scene runs in the defective and in the corrected release, and each step is checked with \
+               default arguments; *before* and *after* are their rejected steps. The stage is the part of the step \
+               that was wrong: collision (contacts and their geometry), assembly (the rows and matrices of the \
+               problem), solver, or write-back (new velocities and reported forces). *the receipt says*: the first \
+               error of the first rejected step or, if none is rejected, how the errors compare with those of the \
+               corrected release. The expected bias and target are computed by the engine's adapter from the model.";
+    let headings = "what was wrong | releases | issue | stage | #rejected before | #rejected after | \
+                    the receipt says";
     Table::new("Known defects", how, headings, rows.collect())
+}
+
+/// What the first rejected step's receipt says, with the size of an error of the motion, or the
+/// comparison.
+fn said(defect: &Defect) -> String {
+    let what = defect.bad.what.as_ref().or(defect.bad.worse.first());
+    let size = defect.bad.largest_motion_error.filter(|_| defect.stage == SOLVER);
+    match (what, size, &defect.bad.what) {
+        (Some(what), Some(size), Some(_)) => {
+            format!("{what}; relative error up to {}", readable(size, 2))
+        }
+        (Some(what), ..) => what.replace('_', " "),
+        (None, ..) => "–".into(),
+    }
 }
 
 /// The corrected releases, without the names that the defective ones have too.
@@ -74,20 +99,6 @@ fn version(defect: &Defect) -> String {
     let bad = defect.bad.versions.first().and_then(|release| name(release)).unwrap_or_default();
     let short = |release: &String| release.strip_prefix(&bad).unwrap_or(release).to_string();
     defect.mended.versions.iter().map(short).collect::<Vec<_>>().join(", ")
-}
-
-/// What the first rejected step's receipt says, or the comparison.
-fn receipts(defects: &[Defect]) -> Table {
-    let row = |defect: &Defect| {
-        let first = defect.bad.what.as_ref().or(defect.bad.worse.first())?;
-        let release = Cell::text(defect.bad.versions.join(", "));
-        Some(vec![release, Cell::text(first), Cell::text(&defect.source)])
-    };
-    let how = "The first error of the first rejected step, as its receipt states it, or the \
-               comparison of the two runs. The expected bias and target (expected_bias, \
-               expected_target) are computed by the engine's adapter from the model.";
-    let headings = "defective release | the receipt says | corrected in";
-    Table::new("What the receipts say", how, headings, defects.iter().filter_map(row).collect())
 }
 
 /// The number of rejected steps and of all, or why there are none.
