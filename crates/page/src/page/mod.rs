@@ -76,8 +76,6 @@ pub enum Fold {
     Nothing,
     /// Tables.
     Tables,
-    /// Tables, and all figures but the first one.
-    Figures,
     /// Everything after this number of blocks.
     After(usize),
 }
@@ -85,13 +83,10 @@ pub enum Fold {
 impl Fold {
     /// Whether the block of a section at this place is collapsed.
     fn takes(self, place: usize, blocks: &[Block]) -> bool {
-        let is_figure = |block: &Block| matches!(block, Block::Figure(_));
-        match (self, &blocks[place]) {
-            (Fold::Nothing, _) => false,
-            (Fold::Tables | Fold::Figures, Block::Table(_)) => true,
-            (Fold::Figures, Block::Figure(_)) => blocks[..place].iter().any(is_figure),
-            (Fold::Tables | Fold::Figures, _) => false,
-            (Fold::After(first), _) => place >= first,
+        match self {
+            Fold::Nothing => false,
+            Fold::Tables => matches!(blocks[place], Block::Table(_)),
+            Fold::After(first) => place >= first,
         }
     }
 }

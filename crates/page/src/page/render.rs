@@ -24,7 +24,7 @@ const MIDDLE: usize = 15;
 const TALL: usize = 40;
 
 /// A table with more rows than this may break across printed pages.
-const LONG_TABLE: usize = 20;
+const LONG_TABLE: usize = 10;
 
 /// Of a table with more rows than this only the marked ones are printed.
 const UNPRINTED: usize = 100;
@@ -221,8 +221,6 @@ struct Writer {
     plays: bool,
     proofs: bool,
     tables: usize,
-    /// Whether a part was collapsed: the first one says what is not printed.
-    folds: bool,
     /// The live pages, each once.
     lives: Vec<Live>,
 }
@@ -237,15 +235,7 @@ impl Writer {
             open.into_iter().map(|(i, block)| self.block(&place(i), block)).collect();
         if !folded.is_empty() {
             let what = contents(folded.iter().map(|(_, block)| *block));
-            let on_paper = match std::mem::replace(&mut self.folds, true) {
-                true => "",
-                false => {
-                    "<span class=\"paper-only\">What is collapsed on the screen is not printed.</span>"
-                }
-            };
-            shown.push(format!(
-                "<details class=\"part\"><summary><span>Show {what}</span>{on_paper}</summary>\n"
-            ));
+            shown.push(format!("<details class=\"part\"><summary>Show {what}</summary>\n"));
             shown.extend(folded.into_iter().map(|(i, block)| self.block(&place(i), block)));
             shown.push("</details>\n".into());
         }

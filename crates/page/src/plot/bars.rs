@@ -29,6 +29,8 @@ const TOP: f64 = 46.0;
 const LABEL: f64 = 16.0;
 /// The space right of the bars for their values in px.
 const NUMBERS: f64 = 82.0;
+/// The line of the limit leaves out the numbers of at most this part of the bars.
+const FEW: usize = 4;
 /// The width for a tick in px.
 const TICK: f64 = 110.0;
 
@@ -117,25 +119,42 @@ impl Figure for Bars {
                 },
             )
         });
+        let middle = |k: usize| top + pitch * k as f64 + above + row / 2.0;
+        let (from, _) = frame.place((start, 0.0));
+        let end = |bar: &Bar| self.x.scale.position(bar.value).map(|at| frame.place((at, 0.0)).0);
         let limit = self.limit.as_ref().and_then(|(value, _)| self.x.scale.position(*value));
         let line = limit.map_or(f64::NAN, |at| frame.place((at, 0.0)).0);
+        // Where a number begins at its dot, and whether it crosses the line of the limit.
+        let number = |bar: &Bar| {
+            let first = from.max(end(bar).unwrap_or(from)) + 12.0;
+            let last = first + style::width(&readable(bar.value, 3), TEXT);
+            (first, (first - 4.0..last + 4.0).contains(&line))
+        };
+        // The line leaves out a few numbers; many stand right of it.
+        let crossed: Vec<usize> =
+            (0..self.bars.len()).filter(|k| number(&self.bars[*k]).1).collect();
+        let is_left_out = crossed.len() * FEW <= self.bars.len();
         let mut description = format!("{}: ", self.x.heading());
         canvas.raw(&points::panel(&frame, &self.x, None));
         if let Some((value, name)) = &self.limit
-            && let Some(at) = self.x.scale.position(*value)
+            && limit.is_some()
         {
+            let mut parts = vec![top];
+            if is_left_out {
+                parts.extend(crossed.iter().flat_map(|&k| [middle(k) - 9.0, middle(k) + 9.0]));
+            }
+            parts.push(bottom);
             canvas.layer("class=\"limit\"", |layer| {
-                let line = PathElement::new([(at, 0.0), (at, 1.0)], stroke(INK, 1.5));
-                frame.plane(layer).draw(&line)
+                parts.chunks(2).try_for_each(|part| {
+                    let ends = [(fine(line), fine(part[0])), (fine(line), fine(part[1]))];
+                    layer.draw(&PathElement::new(ends, stroke(INK, 1.5)))
+                })
             });
-            let (x, _) = frame.place((at, 0.0));
-            canvas.text((x, top - 6.0), Anchor::Middle, TEXT, INK, name);
+            canvas.text((line, top - 6.0), Anchor::Middle, TEXT, INK, name);
             description += &format!("{name} {}; ", readable(*value, 3));
         }
         for (k, bar) in self.bars.iter().enumerate() {
-            let middle = top + pitch * k as f64 + above + row / 2.0;
-            let (from, _) = frame.place((start, 0.0));
-            let end = self.x.scale.position(bar.value).map(|at| frame.place((at, 0.0)).0);
+            let (middle, end) = (middle(k), end(bar));
             let to = end.unwrap_or(from);
             // The position of the bar, as a fraction of the frame's height from below.
             let up = 1.0 - (middle - top) / tall;
@@ -168,11 +187,10 @@ impl Figure for Bars {
                 false => ((left - 10.0, middle + 5.0), Anchor::End),
             };
             canvas.text(name, anchor, TEXT, INK, &bar.name);
-            // The number does not lie on the line of the limit.
-            let (first, last) =
-                (from.max(to) + 12.0, from.max(to) + 12.0 + style::width(&amount, TEXT));
-            let first = if (first - 4.0..last + 4.0).contains(&line) { line + 6.0 } else { first };
-            let beside = (first, middle + 5.0);
+            let beside = match number(bar) {
+                (_, true) if !is_left_out => (line + 6.0, middle + 5.0),
+                (first, _) => (first, middle + 5.0),
+            };
             canvas.text(beside, Anchor::Start, TEXT, INK, &amount);
             description += &format!("{} {amount}; ", bar.name);
         }

@@ -161,7 +161,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("dart", (115, 112, 83), 4, 4),
     ("mujoco", (189, 131, 147), 0, 0),
     ("drake", (4, 66, 59), 1, 1),
-    ("pybullet", (127, 70, 0), 4, 3),
+    ("pybullet", (12, 160, 200), 0, 3),
     ("rapier", (215, 74, 75), 2, 2),
     ("pinocchio", (140, 142, 149), 3, 4),
     ("k&m_(4)", (121, 121, 130), 0, 5),
@@ -190,11 +190,6 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("compressed_rows", BLUE, 0, 0),
     ("block_rows", SKY, 1, 1),
     ("factored", (131, 97, 213), 0, 3),
-    ("r_=_1", SKY, 0, 0),
-    ("r_=_10", GREEN, 1, 1),
-    ("r_=_100", OCHRE, 2, 2),
-    ("r_=_1000", VERMILION, 3, 3),
-    ("r_=_10000", PURPLE, 4, 4),
 ];
 
 /// The look of SOR by its ω: colors at some ω, interpolated between them, and a dash and a marker
@@ -282,12 +277,37 @@ fn sor(omega: f64) -> (Rgb, usize, usize) {
     (color, dash, marker)
 }
 
+/// The colors of the values of a parameter, of the least, of the middle and of the largest.
+const RAMP: [Rgb; 3] = [(110, 175, 240), (20, 100, 180), (10, 25, 70)];
+
+/// A parameter with its value, as in `r = 10`; ω has the colors of SOR.
+fn parameter(name: &str) -> Option<(&str, f64)> {
+    let (label, value) = name.split_once(" = ")?;
+    if label.starts_with("sor") { None } else { Some((label, value.parse().ok()?)) }
+}
+
+/// The look of a value of a parameter of which a figure has at least three.
+fn ramp(name: &str, names: &[&str]) -> Option<Style> {
+    let (label, value) = parameter(name)?;
+    let all = names.iter().filter_map(|name| parameter(name)).filter(|own| own.0 == label);
+    let (count, below) = (all.clone().count(), all.filter(|own| own.1 < value).count());
+    if count < 3 {
+        return None;
+    }
+    let at = 2.0 * below as f64 / (count - 1) as f64;
+    let (k, share) = if at < 1.0 { (0, at) } else { (1, at - 1.0) };
+    let blend = |a: u8, b: u8| (f64::from(a) + share * (f64::from(b) - f64::from(a))).round() as u8;
+    let ((r, g, b), (s, h, c)) = (RAMP[k], RAMP[k + 1]);
+    let color = (blend(r, s), blend(g, h), blend(b, c));
+    Some(Style { color, dash: DASHES[0], marker: MARKERS[below % MARKERS.len()] })
+}
+
 /// The looks of several names in one figure: that of [`style`], unless an earlier name has it; then
-/// the next free dash and marker.
+/// the next free dash and marker. The values of a parameter are darker, the larger they are.
 pub fn styles(names: &[&str]) -> Vec<Style> {
     let mut taken: Vec<Style> = Vec::new();
     for name in names {
-        let mut look = style(name);
+        let mut look = ramp(name, names).unwrap_or_else(|| style(name));
         let (dash, marker) = (place(&DASHES, &look.dash), place(&MARKERS, &look.marker));
         for turn in 1..37 {
             if !taken.contains(&look) {
