@@ -5,6 +5,8 @@ use crate::number::{capitalized, readable};
 use crate::plot::{Axis, Lines, Scale, Series};
 use crate::report::grid::file::{Grid, REPEAT};
 use crate::report::grid::measure::{ITERATIONS, Measure};
+use crate::report::grid::plan::plain;
+use crate::solver::Registry;
 
 /// Maximum number of curves that are still readable.
 const MOST_CURVES: usize = 12;
@@ -24,17 +26,25 @@ pub(super) fn figure(
     id: &str,
 ) -> Option<Lines> {
     let shown = &curves.curves[..curves.curves.len().min(MOST_CURVES)];
+    // On a linear axis an error is a part of the solution.
+    let (scale, unit) = match measure.name == "error" && grid.scale == Some(Scale::Linear) {
+        true => (100.0, "%"),
+        false => (1.0, measure.unit),
+    };
+    let scaled = |points: Vec<(f64, f64)>| -> Vec<(f64, f64)> {
+        points.into_iter().map(|(x, y)| (x, scale * y)).collect()
+    };
     let drawn = |curve: &Curve| {
-        Series::measured(curve.name.clone(), curve.measured(measure)).labeled(&curve.name)
+        Series::measured(curve.name.clone(), scaled(curve.measured(measure))).labeled(&curve.name)
     };
     let is_taken = |own: &Series| own.points.iter().any(|(_, y)| y.is_finite());
     let mut series: Vec<Series> = shown.iter().map(drawn).filter(is_taken).collect();
     let all: Vec<(f64, f64)> = series.iter().flat_map(|own| own.points.iter().copied()).collect();
     let (x, y) = (Spread::of(all.iter().map(|(x, _)| *x)), Spread::of(all.iter().map(|(_, y)| *y)));
     y.most.is_finite().then_some(())?;
-    let finding = finding(curves, measure, &series)
+    let finding = finding(grid, curves, measure, &series)
         .unwrap_or_else(|| format!("{} against {}", measure.words, curves.across));
-    let mut words = vec![format!("{}.", capitalized(measure.about))];
+    let mut words = vec![format!("{}.", about(grid, measure))];
     let label = measure.words;
     let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
     let bands = match *measure == ITERATIONS {
@@ -42,7 +52,7 @@ pub(super) fn figure(
         false => "closed form",
     };
     let theory = |curve: &Curve| {
-        let points = curve.predicted(measure);
+        let points = scaled(curve.predicted(measure));
         let name = format!("theory, {}: {bands}", curve.name);
         points.iter().any(|(_, y)| y.is_finite()).then(|| Series::theory(name, points).labeled(""))
     };
@@ -82,16 +92,34 @@ pub(super) fn figure(
     };
     let figure = Lines::new(
         format!("{id}{}", measure.name),
-        format!("{}: {finding}", grid.title),
+        capitalized(&finding),
         words.join(" "),
         axis(x.is_wide(), &curves.across, curves.unit()),
         match (y_wide, grid.scale) {
-            (false, None) => Axis::fitting(label, measure.unit, all.iter().map(|(_, y)| y.abs())),
-            _ => axis(y_wide, label, measure.unit),
+            (false, None) => Axis::fitting(label, unit, all.iter().map(|(_, y)| y.abs())),
+            _ => axis(y_wide, label, unit),
         },
         series,
     );
     Some(figure.with_scales_explained())
+}
+
+/// A measure in words; of iterations only the kinds that the solvers count.
+fn about(grid: &Grid, measure: &Measure) -> String {
+    if *measure != ITERATIONS {
+        return capitalized(measure.about);
+    }
+    let kinds = units(grid).join(", ");
+    capitalized(&format!("{kinds} until the residual is within the tolerance"))
+}
+
+/// What the solvers of a grid count, each once.
+fn units(grid: &Grid) -> Vec<&'static str> {
+    let named = grid.values_of("solver.name").into_iter().map(plain);
+    let mut units: Vec<&str> = named.map(|solver| unit(&solver)).collect();
+    units.sort_unstable();
+    units.dedup();
+    if units.is_empty() { vec!["iterations"] } else { units }
 }
 
 /// The lower one of the curve's points next to a position.
@@ -104,16 +132,21 @@ fn lower(points: &[(f64, f64)], x: f64) -> Option<f64> {
 /// The finding: where the measure is least, if every curve has its least value inside the axis;
 /// otherwise how the last values compare with the first ones; where these have no ratio, as values
 /// of both signs, the largest value.
-fn finding(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
-    least(curves, measure, series)
-        .or_else(|| last_and_first(curves, measure, series))
+fn finding(
+    grid: &Grid,
+    curves: &Curves<'_>,
+    measure: &Measure,
+    series: &[Series],
+) -> Option<String> {
+    least(grid, curves, measure, series)
+        .or_else(|| last_and_first(grid, curves, measure, series))
         .or_else(|| largest(curves, measure, series))
 }
 
 /// Where the curves have their least values, and how that place moves from the first curve to the
 /// last one. `None` for values of both signs, whose least is the most negative, and where the ends
 /// of a curve are hardly larger.
-fn least(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
+fn least(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
     let inside = |own: &Series| {
         let finite = || own.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
         let (x, least) = finite().min_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -124,7 +157,10 @@ fn least(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<St
     let mut places: Vec<_> = series.iter().map(inside).collect::<Option<_>>()?;
     let across = &curves.across;
     let what = match *measure == ITERATIONS {
-        true => "fewest iterations".into(),
+        true => match units(grid)[..] {
+            [unit] => format!("fewest {unit}"),
+            _ => "fewest iterations".into(),
+        },
         false => format!("smallest {}", measure.words),
     };
     let rises = places.is_sorted_by(|a, b| a.0 <= b.0);
@@ -144,9 +180,14 @@ fn least(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<St
     Some(format!("the {across} with the {what} {moves} {} {to} {}", place(first), place(last)))
 }
 
-/// How the last value compares with the first one, with the curve of the largest ratio and with
-/// that of the least.
-fn last_and_first(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
+/// How the last value compares with the first one: on the curve of the largest ratio and on that of
+/// the least, or where all values shrink, on the middle one.
+fn last_and_first(
+    grid: &Grid,
+    curves: &Curves<'_>,
+    measure: &Measure,
+    series: &[Series],
+) -> Option<String> {
     let ratio = |own: &Series| {
         let mut finite = own.points.iter().filter(|(x, y)| x.is_finite() && *y > 0.0);
         let (first, last) = (finite.next()?, finite.next_back()?);
@@ -163,33 +204,41 @@ fn last_and_first(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> 
         let moves = if *most > 1.0 { "rises" } else { "falls" };
         return Some(format!("the {what} of {highest} {moves} from {first} to {last}"));
     }
-    let growth = if *from > 0.0 { to / from } else { 0.0 };
-    // "with twice the bodies", "at sweeps = 50", or "from load = 1 to 1.5".
-    let change = match growth >= 2.0 {
-        true => format!("with {}", times(growth, across)),
-        false if *from == 0.0 => format!("at {across} = {}", readable(*to, 3)),
-        false => format!("from {across} = {} to {}", readable(*from, 3), readable(*to, 3)),
-    };
-    Some(if *most < 1.0 {
-        let [least, most] = [least, most].map(|ratio| readable(100.0 * ratio, 3));
-        format!("{change}, {least} % of the {what} are left with {lowest}, {most} % with {highest}")
-    } else {
-        let least = match readable(*least, 2).as_str() {
-            "1" => "the same".into(),
-            "2" => "twice as much".into(),
-            least => format!("{least} times"),
+    let [start, end] = [*from, *to].map(|x| readable(x, 3));
+    if *most < 1.0 {
+        let after = match *from == 0.0 {
+            true => format!("after {end} {across}"),
+            false => format!("from {across} {start} to {end}"),
         };
-        let needs = if measure.is_cost() { "needs" } else { "has" };
-        format!("{change}, {highest} {needs} {}, {lowest} {least}", times(*most, what))
-    })
+        let (middle, _, between) = &ratios[ratios.len() / 2];
+        let [middle, most] = [middle, most].map(|ratio| readable(100.0 * ratio, 3));
+        return Some(format!(
+            "{after} {middle} % of the {what} is left with {between}, {most} % with {highest}"
+        ));
+    }
+    let (things, grow) = match *measure == ITERATIONS {
+        true => match units(grid)[..] {
+            [unit] => (unit, "grow"),
+            _ => (unit(highest), "grow"),
+        },
+        false if what.ends_with('s') => (what, "grow"),
+        false => (what, "grows"),
+    };
+    let other = match (measure.is_cost(), readable(*least, 2).as_str()) {
+        (true, _) if *least < 1.05 => format!("{lowest} needs no more"),
+        (false, "1") => format!("that of {lowest} stays the same"),
+        (true, ratio) => format!("{lowest} needs {ratio} times as many"),
+        (false, ratio) => format!("that of {lowest} {ratio} times"),
+    };
+    Some(format!(
+        "from {across} {start} to {end} the {things} of {highest} {grow} {} times; {other}",
+        readable(*most, 2)
+    ))
 }
 
-/// A multiple of something.
-fn times(ratio: f64, what: &str) -> String {
-    match readable(ratio, 2).as_str() {
-        "2" => format!("twice the {what}"),
-        ratio => format!("{ratio} times the {what}"),
-    }
+/// What a solver counts: `sweeps`, `steps` or `pivots`.
+fn unit(solver: &str) -> &'static str {
+    Registry::standard().entry(solver).map_or("iterations", |entry| entry.group.unit())
 }
 
 /// The largest value.

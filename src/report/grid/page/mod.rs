@@ -40,9 +40,7 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> ReportPage
     show(grid, plan, &collection.points(), "", &mut document);
     document.page.opening.push(Block::Tiles(tiles(plan, collection)));
     if let Some(figure) = document.figures.first() {
-        let title = figure.title();
-        let finding = title.strip_prefix(&format!("{}: ", grid.title)).unwrap_or(title);
-        let lead = format!("**Result: {}.**", literal(finding));
+        let lead = format!("**{}.**", literal(figure.title()));
         let text = std::mem::replace(&mut document.page.lead, lead);
         document.page.opening.push(Block::Text(text));
     }

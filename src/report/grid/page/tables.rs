@@ -45,7 +45,8 @@ pub(super) fn optima(curves: &Curves<'_>) -> Option<Table> {
     })
 }
 
-/// The exponent of each measure over the last two positions, if the axis is logarithmic.
+/// The exponent of each measure over the last two positions, if the axis is logarithmic; not of a
+/// count alone, whose growth the title of its figure states.
 pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
     if !Spread::of(curves.curves.iter().flat_map(Curve::places)).is_wide() {
         return None;
@@ -54,6 +55,9 @@ pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
         let [(x0, y0), (x1, y1)] = curve.end(measure)?;
         Some((y1 / y0).ln() / (x1 / x0).ln()).filter(|exponent| exponent.is_finite())
     };
+    if grid.measures == [&ITERATIONS] {
+        return None;
+    }
     // The rate lies between 0 and 1.
     let grows = |measure: &&&Measure| measure.name != "rate";
     let measures: Vec<&&Measure> = grid.measures.iter().filter(grows).collect();
