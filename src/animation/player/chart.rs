@@ -149,7 +149,24 @@ pub(super) fn svg(animation: &Animation, measure: Measure) -> String {
             course.join("L")
         );
     }
-    out + "</svg></svg>\n"
+    out += "</svg>";
+    // A curve that is cut off says how far it goes.
+    let beyond = animation.recordings.iter().filter(|own| {
+        let worst = own.worst(measure);
+        worst.is_finite() && !(lo..=hi).contains(&worst)
+    });
+    let beyond: Vec<_> = beyond
+        .map(|own| {
+            let worst = crate::number::readable(own.worst(measure), 2);
+            format!("{}: {worst} {}", own.name, measure.unit())
+        })
+        .collect();
+    if !beyond.is_empty() {
+        let (x, y) = (right - 4.0, top + 12.0);
+        let text = escape(&format!("↑ {}", beyond.join(", ")));
+        let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"end\">{text}</text>");
+    }
+    out + "</svg>\n"
 }
 
 fn words(animation: &Animation, measure: Measure) -> String {

@@ -93,10 +93,12 @@ pub struct Shown {
 pub enum Fold {
     /// Its tables.
     Tables,
-    /// Its tables, and its figures after the first one.
+    /// Its tables; its figures after the first one are left out, unless a result is bad.
     Figures,
-    /// Everything that its study shows except the outcome and the first figure.
-    All,
+    /// The study shows its answer and its main figure only; everything, if a result is bad.
+    Figure,
+    /// The study shows its answer only; everything, if a result is bad.
+    Answer,
 }
 
 impl Experiment {

@@ -23,9 +23,15 @@ impl ReportPage {
     }
 
     /// Adds an animation from a recorded motion.
-    pub(super) fn recorded(&mut self, data: &AnimationData, caption: &str) {
+    fn recorded(&mut self, data: &AnimationData, plan: &Plan) {
         match data.animation() {
-            Ok(animation) => self.player(animation.drawn(), caption.into()),
+            Ok(animation) => {
+                let mut drawn = animation.drawn();
+                if let (true, Some(finding)) = (drawn.title.is_empty(), &plan.finding) {
+                    drawn.title = finding.clone();
+                }
+                self.player(drawn, plan.caption.clone());
+            }
             Err(error) => self.text(format!("The animation cannot be shown: {error}.")),
         }
     }
@@ -45,7 +51,7 @@ impl View for Plan {
 
     fn show(&self, findings: &[AnimationData], document: &mut ReportPage) {
         for data in findings {
-            document.recorded(data, &self.caption);
+            document.recorded(data, self);
         }
     }
 

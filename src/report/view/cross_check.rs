@@ -52,7 +52,7 @@ impl View for Plan {
         if checks.iter().any(|check| !check.wrenches.is_empty()) {
             document.text(
                 "If the load distribution is not unique, individual forces have no meaning. The net force and \
-                 torque on each body are unique, and both answers must agree on them:",
+                 torque on each body are unique, and both answers must agree on them.",
             );
             document.table("wrenches", wrenches(checks));
         }

@@ -54,7 +54,13 @@ impl Top {
         Headline::default()
     }
 
-    pub fn put(self, lead: &str, document: &mut ReportPage) {
+    /// Fills the top of the page; the tile of a section that is not shown leads to the summary.
+    pub fn put(mut self, lead: &str, summary: Option<&str>, document: &mut ReportPage) {
+        let is_shown =
+            |tile: &Tile| document.page.sections.iter().any(|own| own.id == tile.section);
+        for tile in self.tiles.iter_mut().filter(|tile| !is_shown(tile)) {
+            tile.section = summary.unwrap_or(&tile.section).into();
+        }
         let lead = Some(lead.trim().to_string()).filter(|lead| !lead.is_empty());
         let mut texts = self.answer.into_iter().chain(lead);
         document.page.lead = texts.next().unwrap_or_default();

@@ -119,24 +119,26 @@ pub fn document(results: &Results) -> Result<ReportPage> {
             document.text(&part.text);
         }
         let findings: Vec<Value> = part.findings().collect();
-        let outcome = section.study.as_ref().map(|study| study.outcome(&findings)).transpose()?;
-        if let (Some(outcome), Some(Fold::All)) = (&outcome, part.shown.fold) {
-            document.text(format!("{}.", outcome.says));
-        }
-        let open = document.page.sections[first].blocks.len();
         if let Some(study) = &section.study {
             let failed = part.tasks.iter().any(|task| task.failure.is_some());
-            let good = outcome.is_some_and(|outcome| outcome.good) && !failed;
+            let good = study.outcome(&findings)?.good && !failed;
+            let fold = part.shown.fold.filter(|_| good);
             let Headline { answer, figure, .. } =
                 top.add(study.headline(&findings)?, &part.id, good);
             if let Some(answer) = answer {
                 document.text(answer);
             }
-            if let Some(figure) = figure {
+            if let Some(figure) = figure.filter(|_| fold != Some(Fold::Answer)) {
                 document.boxed(figure);
             }
-            study.show(&findings, &mut document)?;
-            failures(&mut document, part);
+            if !matches!(fold, Some(Fold::Figure | Fold::Answer)) {
+                let figures = document.figures.len();
+                study.show(&findings, &mut document)?;
+                failures(&mut document, part);
+                if fold == Some(Fold::Figures) {
+                    document.keep_figures(figures + 1);
+                }
+            }
             let origin = origin(results, part);
             document.page.sections[first..].iter_mut().for_each(|shown| {
                 shown.origin = Some(origin.clone());
@@ -148,23 +150,9 @@ pub fn document(results: &Results) -> Result<ReportPage> {
         if part.shown.times {
             times(&mut document, &experiment, results)?;
         }
-        // The first figure is the evidence; it stays open, before what is folded.
-        let is_figure = |block: &Block| matches!(block, Block::Figure(_));
-        let blocks = &mut document.page.sections[first].blocks;
-        let figure = blocks.iter().skip(open).position(is_figure);
-        if let (Some(Fold::All), Some(figure)) = (part.shown.fold, figure) {
-            blocks[open..=open + figure].rotate_right(1);
-        }
-        let open = open + usize::from(figure.is_some());
-        for (k, shown) in document.page.sections[first..].iter_mut().enumerate() {
-            match part.shown.fold {
-                None => {}
-                Some(Fold::Tables) => shown.fold = page::Fold::Tables,
-                Some(Fold::Figures) => shown.fold = page::Fold::Figures,
-                Some(Fold::All) => {
-                    shown.fold = page::Fold::After(if k == 0 { open } else { 0 });
-                }
-            }
+        if let Some(Fold::Tables | Fold::Figures) = part.shown.fold {
+            let shown = &mut document.page.sections[first..];
+            shown.iter_mut().for_each(|shown| shown.fold = page::Fold::Tables);
         }
     }
     if !results.sections.iter().any(|part| part.shown.times) && !results.machine.times.is_empty() {
@@ -172,7 +160,8 @@ pub fn document(results: &Results) -> Result<ReportPage> {
         times(&mut document, &experiment, results)?;
     }
     document.page.sections.retain(|section| !section.blocks.is_empty());
-    top.put(&results.lead, &mut document);
+    let summary = results.sections.iter().find(|part| part.shown.summary);
+    top.put(&results.lead, summary.map(|part| part.id.as_str()), &mut document);
     Ok(document)
 }
 
@@ -280,6 +269,17 @@ impl ReportPage {
     fn fold_rest(&mut self) {
         if let Some(section) = self.page.sections.last_mut() {
             section.fold = page::Fold::After(section.blocks.len());
+        }
+    }
+
+    /// Leaves out the last figures of the page, which are in the last section, down to a number.
+    fn keep_figures(&mut self, kept: usize) {
+        let Some(section) = self.page.sections.last_mut() else { return };
+        while self.figures.len() > kept {
+            let is_figure = |block: &Block| matches!(block, Block::Figure(_));
+            let Some(last) = section.blocks.iter().rposition(is_figure) else { return };
+            section.blocks.remove(last);
+            self.figures.pop();
         }
     }
 

@@ -67,22 +67,22 @@ impl View for Plan {
                  $t_1$ with 3 m/s. By Coulomb's law it stops on the straight line, after $v^2 / (2 \\mu g)$. \
                  In a model with corners, friction is the corner that points most against the slip. It turns \
                  the slip toward the direction halfway between two corners: toward $t_1$ for the box, toward \
-                 the diagonal for the polygon with four corners. The first figure of this section shows these paths.",
+                 the diagonal for the polygon with four corners.",
             );
             document.table("friction_paths", path_table(study));
         }
     }
 
     fn headline(&self, findings: &[Finding]) -> Headline {
-        let said = |study: &Finding| -> Vec<String> {
-            SHOWN.iter().filter_map(|model| bias(study, *model)).collect()
-        };
         let answer = findings.first().map(|study| {
+            let said: Vec<String> =
+                SHOWN.iter().filter_map(|model| bias(study, *model)).collect();
             format!(
-                "**Boxes and polygons make friction too strong or too weak, and turn it.** For a block that \
-                 is pushed in directions {}° apart, compared with Coulomb's law, friction has {}.",
+                "**Boxes and polygons make friction too strong or too weak, and turn it.** A block is pushed in \
+                 directions {}° apart. The strength of friction, compared with Coulomb's limit, and its largest \
+                 error of direction are: {}.",
                 readable(PUSH_ANGLE, 2),
-                said(study).join("; ")
+                said.join("; ")
             )
         });
         let paths = findings.first().map(path_figure);
@@ -116,24 +116,12 @@ fn checked<'a, T: 'a>(
 
 /// The minimum and maximum friction of a model, and its largest misalignment.
 fn bias(study: &Finding, model: Model) -> Option<String> {
-    let grips = study.grips.iter().filter(|grip| grip.model == model).map(|grip| grip.measured);
-    let (least, most) =
-        grips.fold((f64::INFINITY, 0.0), |(lo, hi), grip| (f64::min(lo, grip), f64::max(hi, grip)));
-    let slides = study.slides.iter().filter(|slide| slide.answer.model == model);
-    let aside =
-        slides.filter_map(|slide| slide.answer.contacts.first()?.misalignment).fold(0.0, f64::max);
-    let percent = |part: f64| readable((100.0 * part).round(), 3);
-    let held = match (percent(least), percent(most)) {
-        (least, most) if least == most => least,
-        (least, most) => format!("{least} to {most}"),
-    };
-    let aside = match aside.round() {
-        0.0 => "the correct direction".to_string(),
-        degrees => format!("a direction up to {}° off", readable(degrees, 2)),
-    };
-    least
-        .is_finite()
-        .then(|| format!("{held} % of Coulomb's limit and {aside} (*{}*)", short(model)))
+    study.grips.iter().find(|grip| grip.model == model)?;
+    let name = short(model);
+    Some(match (held(study, model).as_str(), aside(study, model).as_str()) {
+        ("100\u{a0}%", "0°") => format!("*{name}* exact"),
+        (held, aside) => format!("*{name}* {held}, {aside}"),
+    })
 }
 
 /// A number of each model that is shown, with the model.
@@ -149,8 +137,8 @@ fn held(study: &Finding, model: Model) -> String {
         grips.fold((f64::INFINITY, 0.0), |(lo, hi), grip| (f64::min(lo, grip), f64::max(hi, grip)));
     let percent = |part: f64| readable((100.0 * part).round(), 3);
     match (percent(least), percent(most)) {
-        (least, most) if least == most => format!("{least} %"),
-        (least, most) => format!("{least}–{most} %"),
+        (least, most) if least == most => format!("{least}\u{a0}%"),
+        (least, most) => format!("{least}–{most}\u{a0}%"),
     }
 }
 
@@ -168,10 +156,18 @@ fn path_title(study: &Finding) -> String {
     let Some([x, y]) = stop(Model::CoulombCone) else { return "Paths of the block".into() };
     let far = |model: &Model| {
         let [a, b] = stop(*model).filter(|_| *model != Model::CoulombCone)?;
-        Some(format!("{}\u{a0}m ({})", readable((a - x).hypot(b - y), 2), short(*model)))
+        Some(((a - x).hypot(b - y), short(*model)))
     };
-    let far: Vec<String> = SHOWN.iter().filter_map(far).collect();
-    format!("Distance of the stopping point from that under Coulomb's law: {}", far.join(", "))
+    let mut far: Vec<(f64, String)> = SHOWN.iter().filter_map(far).collect();
+    far.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let far: Vec<String> = far
+        .iter()
+        .map(|(distance, model)| format!("{model} by {}\u{a0}m", readable(*distance, 2)))
+        .collect();
+    let [first, others @ ..] = &far[..] else { return "Paths of the block".into() };
+    let first = first.replacen(" by", " is off by", 1);
+    let all = std::iter::once(&first).chain(others).cloned().collect::<Vec<_>>().join(", ");
+    format!("Only the disk stops where Coulomb's law says: {all}")
 }
 
 fn path_figure(study: &Finding) -> Lines {

@@ -153,8 +153,10 @@ fn failed(rows: &[&Row]) -> Table {
 /// A number whose allowed errors are at most this large is exact up to rounding and the solver's
 /// tolerance.
 const ROUNDING: f64 = 1e-7;
-/// The least part of an allowed error that is drawn.
+/// The least part of an allowed error that is drawn,
 const LEAST: f64 = 1e-6;
+/// and the least of a case that is shown.
+const SHOWN: f64 = 0.01;
 const EXACT: &str = "exact";
 const BOUNDED: &str = "within a bound";
 
@@ -263,24 +265,26 @@ fn dots(rows: &[Row]) -> Bars {
     };
     let mut bars: Vec<Bar> = rows.chunk_by(|a, b| a.case == b.case).map(bar).collect();
     let cases = bars.len();
-    if bars.iter().any(|bar| bar.value > LEAST) {
-        bars.retain(|bar| bar.value > LEAST);
+    if bars.iter().any(|bar| bar.value > SHOWN) {
+        bars.retain(|bar| bar.value > SHOWN);
     }
     let below = match cases - bars.len() {
         0 => String::new(),
-        1 => ", and so do all numbers of one further case, which is not shown".to_string(),
-        others => format!(", and so do all numbers of {others} further cases, which are not shown"),
+        1 => " One further case is not shown: its errors are below 1 % of the allowed ones."
+            .to_string(),
+        others => format!(
+            " {others} further cases are not shown: their errors are below 1 % of the allowed ones."
+        ),
     };
     bars.sort_by(|a, b| b.value.total_cmp(&a.value));
     let passed = rows.iter().filter(|row| row.passes()).count();
     let steps = rows.iter().map(|row| row.samples.len()).max().unwrap_or(0);
     let title = match closest(&rows.iter().collect::<Vec<_>>()) {
-        Some((row, share)) if passed == rows.len() => {
-            let case = self::title(&row.case);
-            format!(
-                "No error is above {share} % of the allowed one; the largest is that of: {case}"
-            )
-        }
+        Some((row, share)) if passed == rows.len() => format!(
+            "All {passed} errors are within their bounds; the closest, {share} %: {}, {}",
+            row.quantity,
+            self::title(&row.case)
+        ),
         _ => format!("{passed} of {} numbers agree with their closed forms", rows.len()),
     };
     Bars {
@@ -290,8 +294,8 @@ fn dots(rows: &[Row]) -> Bars {
             "Each dot is one number. Its position is the error divided by the allowed error or, if theory \
                   gives an order, the difference between the observed and the derived order, divided by 0.1. \
                   Numbers left of the line pass. The number at the right is the largest of the case. Dots below \
-                  10⁻⁶ lie at the left edge{below}. Numbers that depend on the time step are computed with {steps} steps, each \
-                  half the one before; with more of them the observed orders, and so the ratios, are others."
+                  10⁻⁶ lie at the left edge.{below} Numbers that depend on the time step are computed with {steps} steps, each \
+                  half the one before; more steps give other ratios."
         ),
         x: Axis::log("error / allowed error", ""),
         bars,

@@ -80,10 +80,9 @@ fn the_matrix_of_schemes_has_each_error_in_multiples_of_its_tolerance() {
     ];
     assert_eq!(rows, expected);
     let answer = headline.answer.unwrap();
-    assert!(
-        answer.contains("too large under *split-impulse* in `mass_ratio3`; *soft* in"),
-        "{answer}"
-    );
+    let words =
+        "**Only *velocity* keeps gaps and joints within 1 % of a body's thickness in mass ratio3";
+    assert!(answer.starts_with(words), "{answer}");
     // Who begins with larger errors is not judged: to correct them changes the energy.
     for run in &mut comparison.runs {
         run.motion[0].penetration = 0.02 * comparison.thinnest;
@@ -155,5 +154,5 @@ fn the_top_of_a_report_counts_confirmed_answers_and_names_what_was_not_solved() 
     let [value, label] = headline.result.unwrap();
     assert!(headline.is_mixed);
     assert_eq!(value, "7 solved, 2 not");
-    assert!(label.ends_with("accepts 7 of 8 claimed answers"), "{label}");
+    assert!(label.contains("accepts 7 of 8 claimed answers. Without one: dantzig"), "{label}");
 }

@@ -1,7 +1,7 @@
 //! Every closed form at the fast size, and that the page can fail.
 
 use lcplab::report::study::verification::{Criterion, Plan, Row, Sample, Size, names, run};
-use lcplab::report::view::{self, ReportPage, View};
+use lcplab::report::view::{ReportPage, View};
 
 use super::reference::STANDARD;
 
@@ -70,9 +70,11 @@ fn a_case_that_does_not_exist_is_refused_with_those_that_do() {
 
 #[test]
 fn the_page_sets_every_formula_and_shows_every_row() {
-    let document = view::document(&STANDARD).unwrap();
+    let plan: Plan = serde_json::from_str("{\"size\": \"fast\"}").unwrap();
+    let found = STANDARD.findings::<Plan>().unwrap();
+    let document = ReportPage::of(&plan, &found);
     let (_, table) = document.tables.iter().find(|(id, _)| id == "closed_forms").unwrap();
-    let rows = STANDARD.findings::<Plan>().unwrap().concat();
+    let rows = found.concat();
     assert_eq!(table.rows.len(), rows.len());
     let html = document.page.render().unwrap(); // LaTeX that cannot be set is an error
     for row in &rows {

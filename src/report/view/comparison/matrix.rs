@@ -38,6 +38,7 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
         ),
         groups: vec![("gaps and joints".into(), names()), ("energy".into(), names())],
         rows: schemes.iter().map(row).collect(),
+        links: Vec::new(),
     }
 }
 
@@ -50,7 +51,8 @@ pub fn closure(comparison: &Comparison, run: &Run) -> Grade {
     }
 }
 
-fn energy(comparison: &Comparison, run: &Run) -> Grade {
+/// The error of the energy of a run.
+pub fn energy(comparison: &Comparison, run: &Run) -> Grade {
     match run.laws.energy {
         _ if run.steps < comparison.steps => Grade::Missed(f64::INFINITY),
         Energy::Changes => Grade::Unknown,

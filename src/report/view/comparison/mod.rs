@@ -13,8 +13,11 @@ use crate::number::{count, counted, readable};
 use crate::plot::grades::Grade;
 use crate::plot::{Axis, Figure, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
-use crate::report::study::comparison::{Comparison, LeftOut, Plan, Run, Sample, Timing, best};
+use crate::report::study::comparison::{
+    Comparison, HELD, LeftOut, Plan, Run, Sample, Timing, best,
+};
 use crate::scene::Scheme;
+use crate::solver::Status;
 
 /// The position of the column for the reason of a failure, left of the measures so that a narrow
 /// screen shows it.
@@ -29,12 +32,13 @@ impl View for Plan {
             runs().map(|run| run.tally.claimed).sum::<usize>(),
         );
         let rejected = runs().map(|run| run.tally.rejected_claims).sum::<usize>();
+        let none = if rejected == 0 { "none".into() } else { count(rejected) };
         document.text(format!(
-            "Each solver of the comparison simulates each scene with {}. Every solve starts from the answer of the previous \
-             step. The solvers report {} of {} problems as solved; the judge rejects {rejected} of these answers.",
-            listed(&self.schemes.iter().map(|&scheme| in_words(scheme)).collect::<Vec<_>>()),
+            "**The judge rejects {none} of the {} answers that the solvers report as solutions**, to {} problems. Each \
+             solver of the comparison simulates each scene with {}. Every solve starts from the answer of the previous step.",
             count(claimed),
-            count(solves)
+            count(solves),
+            listed(&self.schemes.iter().map(|&scheme| in_words(scheme)).collect::<Vec<_>>())
         ));
         // With a single run of each scheme, the tables of the scenes have the same rows.
         let mut schemes =
@@ -71,9 +75,10 @@ impl View for Plan {
             _ => (
                 format!("{} solved, {} not", count(confirmed), count(given_up)),
                 format!(
-                    "problems; an independent judge accepts {} of {} claimed answers",
+                    "problems; the judge accepts {} of {} claimed answers. Without one: {}",
                     count(confirmed),
-                    count(claimed)
+                    count(claimed),
+                    self.given_up(findings)
                 ),
             ),
         };
@@ -106,38 +111,70 @@ impl View for Plan {
 
 impl Plan {
     /// Of more schemes than the two levels: which keep gaps and joints within tolerance in every
-    /// scene that starts so, and in which scenes the others do not.
+    /// scene that starts so, and in which of these no scheme keeps the energy.
     fn held(&self, findings: &[Comparison]) -> Option<String> {
         let scenes: Vec<_> = findings.iter().filter(|own| own.starts_within_tolerance()).collect();
-        let is_missed = |scheme: Scheme, own: &&&Comparison| {
-            own.best_run(scheme).is_none_or(|run| matrix::closure(own, run) != Grade::Obeyed)
+        if self.schemes.len() <= Scheme::LEVELS.len() || scenes.is_empty() {
+            return None;
+        }
+        let obeys = |grade: fn(&Comparison, &Run) -> Grade, own: &Comparison, scheme: Scheme| {
+            own.best_run(scheme).is_some_and(|run| grade(own, run) == Grade::Obeyed)
         };
-        let missed = |scheme: &Scheme| -> Vec<String> {
-            let missed = scenes.iter().filter(|own| is_missed(*scheme, own));
-            missed.map(|own| format!("`{}`", own.scene)).collect()
-        };
-        let (kept, others): (Vec<_>, Vec<_>) = self
+        let kept = self
             .schemes
             .iter()
-            .map(|scheme| (format!("*{}*", scheme.name()), missed(scheme)))
-            .partition(|(_, missed)| missed.is_empty());
-        let kept: Vec<_> = kept.into_iter().map(|(name, _)| name).collect();
-        let kept = if kept.is_empty() { "no scheme".into() } else { listed(&kept) };
-        let others: Vec<_> = others
-            .into_iter()
-            .map(|(name, missed)| format!("{name} in {}", listed(&missed)))
-            .collect();
-        let others = match others.is_empty() {
-            true => String::new(),
-            false => format!(" Errors are too large under {}.", others.join("; ")),
+            .filter(|scheme| scenes.iter().all(|own| obeys(matrix::closure, own, **scheme)));
+        let kept: Vec<_> = kept.map(|scheme| format!("*{}*", scheme.name())).collect();
+        let kept = match kept.len() {
+            0 => "No scheme keeps".into(),
+            1 => format!("Only {} keeps", kept[0]),
+            count if count == self.schemes.len() => "All schemes keep".into(),
+            _ => format!("Only {} keep", listed(&kept)),
         };
-        let is_about_schemes = self.schemes.len() > Scheme::LEVELS.len() && !scenes.is_empty();
-        is_about_schemes.then(|| {
-            format!(
-                "**Gaps and joints stay within tolerance under {kept}, in the {} scenes that start within it.**{others}",
-                scenes.len()
-            )
-        })
+        let named = |scene: &&&Comparison| scene.scene.replace('_', " ");
+        let lost: Vec<_> = scenes
+            .iter()
+            .filter(|own| !self.schemes.iter().any(|scheme| obeys(matrix::energy, own, *scheme)))
+            .map(|own| named(&own))
+            .collect();
+        let lost = match lost.is_empty() {
+            true => String::new(),
+            false => format!("; no scheme keeps the energy of {}", listed(&lost)),
+        };
+        let all: Vec<_> = scenes.iter().map(|own| named(&own)).collect();
+        Some(format!(
+            "**{kept} gaps and joints within {} % of a body's thickness in {}{lost}.**",
+            readable(100.0 * HELD, 2),
+            listed(&all)
+        ))
+    }
+
+    /// The problems without an answer: of one scheme, of one solver, or of several.
+    fn given_up(&self, findings: &[Comparison]) -> String {
+        let runs = findings.iter().flat_map(|comparison| &comparison.runs);
+        let mut ways: Vec<(&str, String)> = Vec::new();
+        for run in runs.filter(|run| run.tally.claimed < run.tally.solves) {
+            let way = match run.solver.as_str() {
+                "none" => run.scheme.as_str(),
+                solver => solver,
+            };
+            let reason = run.tally.trouble.as_deref().unwrap_or_default();
+            let reason = reason.split(": ").nth(1).unwrap_or(reason);
+            let reason = match run.tally.iterations % run.tally.solves {
+                0 if reason == Status::IterationLimit.to_string() => {
+                    format!("stopped after {} sweeps", run.tally.iterations / run.tally.solves)
+                }
+                _ => reason.to_string(),
+            };
+            if !ways.iter().any(|(own, _)| *own == way) {
+                ways.push((way, reason));
+            }
+        }
+        let ways: Vec<String> = ways
+            .iter()
+            .map(|(way, reason)| format!("{way} ({reason})").replace(" ()", ""))
+            .collect();
+        listed(&ways)
     }
 }
 

@@ -1,8 +1,8 @@
 //! The residual of several methods by iteration and by multiplication.
 
-use crate::number::{count, readable};
+use crate::number::{capitalized, count, readable};
 use crate::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series};
-use crate::report::page::{Cell, Table};
+use crate::report::page::{Cell, Column, Table};
 use crate::report::study::convergence::methods::{Mark, MethodProgress, Progress};
 use crate::report::study::trial;
 use crate::report::view::attempt::{
@@ -23,7 +23,10 @@ pub(super) fn show(problems: &[&Progress], document: &mut ReportPage) {
     document.text(
         "Iterations of different methods have different costs: a Newton step solves a linear system, a sweep \
          is one product with A. The residual is therefore plotted against the number of multiplications (the \
-         leading term of the operation count).",
+         leading term of the operation count). Sweeps first remove the part of the error that changes sign from \
+         contact to contact. Then each sweep multiplies the residual by the spectral radius of the iteration \
+         matrix on the active set, the rows between their bounds. Silcowitz et al. (2010) and Mazhar et al. (2015) \
+         plot the residual; where the problem has a weight, the figure also shows how much of it is still unsupported.",
     );
     for progress in problems {
         document.figure(by_work(progress));
@@ -43,10 +46,12 @@ pub(super) fn outcome(problems: &[&Progress]) -> Outcome {
 /// The cheapest solver, the cost of each, and the cheapest ones of other problems.
 pub(super) fn headline(progress: &Progress, choices: &[&Progress]) -> Headline {
     let solved = by_cost(progress);
-    let [first, .., last] = solved[..] else { return Headline::default() };
+    let [first, second, ..] = solved[..] else { return Headline::default() };
     let figure: Box<dyn Figure> = Box::new(costs(progress, &solved));
     let table = (!choices.is_empty()).then(|| ("choices".to_string(), choice(choices)));
-    let answer = Some(answer(progress, solved.len(), first, last));
+    let mut answer = answer(progress, solved.len(), first, second);
+    answer += &taller(choices).unwrap_or_default();
+    let answer = Some(answer);
     Headline { answer, figure: Some(figure), table, ..Headline::default() }
 }
 
@@ -62,38 +67,74 @@ fn answer(
     progress: &Progress,
     solved: usize,
     first: &MethodProgress,
-    last: &MethodProgress,
+    second: &MethodProgress,
 ) -> String {
     let tried = progress.methods.iter().filter(|method| method.outcome.is_attempt()).count();
-    let needs = |method: &MethodProgress| {
-        let iterations = method.marks.last().map_or(0, |end| end.iteration);
-        iterations_in_words(&method.solver, iterations)
-    };
-    let compared = match budget(progress) {
-        Some(most) if work(first) < most => " and does less work than ten sweeps of *pgs*",
-        _ => "",
-    };
-    let why = left(progress).map_or(String::new(), |share| {
+    let iterations = first.marks.last().map_or(0, |end| end.iteration);
+    let compared = budget(progress).map_or(String::new(), |ten| {
+        let left = left(progress);
         format!(
-            " Ten sweeps leave {share} of the total weight unsupported: a sweep propagates impulses from \
-             contact to contact, and a light box transmits only a part of the load. A pivoting method \
-             solves for all contacts together."
+            ", {} the work of ten projected Gauss-Seidel sweeps (*pgs*){}",
+            part(work(first) / ten),
+            left.map_or(String::new(), |share| format!(
+                ", which leave {share} of the weight unsupported"
+            ))
         )
     });
+    let more = match work(second) / work(first) {
+        ratio if ratio < 2.0 => format!("{} % more", readable((100.0 * (ratio - 1.0)).round(), 2)),
+        ratio => format!("{} times as much", rough(ratio)),
+    };
+    let all = match solved == tried {
+        true => format!("All {solved}"),
+        false => format!("{solved} of {tried}"),
+    };
     format!(
-        "**For a stack of {}, {} is the cheapest solver:** it needs {}{compared}.{why} *{}* needs {}, {} times the \
-         work of *{}*. {solved} of {tried} solvers reach a scaled residual of {} at this size ({} rows), and \
-         the judge accepts their answers.",
-        progress.problem,
-        first.solver,
-        needs(first),
-        last.solver,
-        needs(last),
-        rough(work(last) / work(first)),
-        first.solver,
+        "**For a stack of {}, {} is cheapest:** {}{compared}. {} costs {more}. {all} solvers reach a scaled \
+         residual of {} and pass an independent check.",
+        in_words(&progress.problem),
+        named(&first.solver),
+        iterations_in_words(&first.solver, iterations),
+        capitalized(&named(&second.solver)),
         tolerance(progress.tolerance),
-        count(progress.rows)
     )
+}
+
+/// A part as a percentage, or a multiple.
+fn part(ratio: f64) -> String {
+    match ratio {
+        more if more > 1.0 => format!("{} times", readable(more, 2)),
+        less => format!("{}\u{a0}% of", readable((100.0 * less).round(), 3)),
+    }
+}
+
+/// A stack in words: `4 boxes, the top one 100 times as heavy`.
+fn in_words(problem: &str) -> String {
+    match problem.split_once(", mass ratio ") {
+        Some((boxes, ratio)) => format!("{boxes}, the top one {ratio} times as heavy"),
+        None => problem.into(),
+    }
+}
+
+/// A solver at its first mention.
+fn named(solver: &str) -> String {
+    match solver {
+        "lemke" => "Lemke's pivoting method (lemke)".into(),
+        "dantzig" => "Dantzig's pivoting method (dantzig)".into(),
+        other => other.into(),
+    }
+}
+
+/// The cost of the cheapest solver of the largest stack.
+fn taller(choices: &[&Progress]) -> Option<String> {
+    let largest = choices.iter().max_by_key(|progress| progress.rows)?;
+    let first = *by_cost(largest).first()?;
+    Some(format!(
+        " For {}, {} costs as much as {} sweeps of pgs; larger stacks are not measured here.",
+        largest.problem,
+        first.solver,
+        readable(10.0 * work(first) / budget(largest)?, 2)
+    ))
 }
 
 /// The share of the weight that ten sweeps of PGS leave unsupported.
@@ -109,11 +150,18 @@ fn pgs(progress: &Progress) -> Option<&MethodProgress> {
 /// The cheapest method of each problem, its cost, and the weight that ten sweeps of PGS leave
 /// unsupported.
 fn choice(choices: &[&Progress]) -> Table {
+    // The two cheapest of any stack.
+    let mut cheap: Vec<&str> = Vec::new();
+    for method in choices.iter().flat_map(|progress| by_cost(progress).into_iter().take(2)) {
+        cheap.extend((!cheap.contains(&method.solver.as_str())).then_some(method.solver.as_str()));
+    }
     let row = |progress: &&Progress| {
         let solved = by_cost(progress);
-        let sweep = budget(progress).map(|ten| ten / 10.0);
-        let cost = |method: &MethodProgress| {
-            sweep.map_or(Cell::text("–"), |sweep| Cell::number(work(method) / sweep, 2))
+        let cost = |solver: &&str| {
+            let method = solved.iter().find(|method| method.solver == *solver);
+            let sweep = budget(progress).map(|ten| ten / 10.0);
+            let cost = method.zip(sweep).map(|(method, sweep)| work(method) / sweep);
+            cost.map_or(Cell::text("–"), |cost| Cell::number(cost, 2))
         };
         let failed: Vec<&str> = progress
             .methods
@@ -123,28 +171,36 @@ fn choice(choices: &[&Progress]) -> Table {
             .collect();
         let sweeps =
             pgs(progress).filter(|pgs| pgs.outcome.is_solved()).and_then(|pgs| pgs.marks.last());
-        vec![
-            Cell::text(progress.problem.replace(" = ", "\u{a0}=\u{a0}")),
-            solved.first().map_or(Cell::text("none"), |first| Cell::text(&first.solver)),
-            solved.first().map_or(Cell::text("–"), |first| cost(first)),
-            solved.get(1).map_or(Cell::text("–"), |next| Cell::text(&next.solver)),
-            solved.get(1).map_or(Cell::text("–"), |next| cost(next)),
-            Cell::count(progress.rows),
+        let mut cells = vec![Cell::text(progress.problem.replace(" = ", "\u{a0}=\u{a0}"))];
+        cells.extend(cheap.iter().map(cost));
+        cells.extend([
             sweeps.map_or(Cell::text("–"), |end| Cell::count(end.iteration)),
             left(progress).map_or(Cell::text("–"), Cell::text),
+            Cell::count(progress.rows),
             Cell::text(if failed.is_empty() { "none".into() } else { failed.join(", ") }),
-        ]
+        ]);
+        cells
     };
-    Table::new(
-        "Which solver for which stack",
-        "*mass ratio*: that of the top box to each of the others. *cost*: the multiplications until the residual is within the tolerance, divided by those of one sweep of *pgs*; a \
-         typical budget is 10. *next*: the second cheapest solver. *unsupported*: the part of the total weight that ten sweeps of *pgs* leave \
-         unsupported. *solvers that fail*: those that do not reach the tolerance within the maximum number of \
-         iterations. A stack is a hard case for sweeps and has redundant contacts.",
-        "stack | cheapest | #lowest cost | next | #next cost | #rows | #sweeps of pgs | #unsupported after ten sweeps | \
-         solvers that fail",
-        choices.iter().map(row).collect(),
-    )
+    let mut columns = vec![Column::words("stack")];
+    columns.extend(cheap.iter().map(|solver| Column::numbers(*solver, "sweeps")));
+    columns.extend([
+        Column::numbers(Pgs::NAME, "sweeps"),
+        Column::numbers("unsupported", "after 10 sweeps"),
+        Column::numbers("size", "rows"),
+        Column::words("solvers that fail"),
+    ]);
+    Table {
+        title: "Which solver for which stack".into(),
+        how_to_read: "*mass ratio*: that of the top box to each of the others. The columns of solvers: the cost until \
+                      the residual is within the tolerance, in sweeps of *pgs*, of which engines typically take ten. \
+                      *unsupported*: the part of the total weight. *solvers that fail*: not within the tolerance \
+                      after the maximum number of iterations. A stack is a hard case for sweeps and has redundant \
+                      contacts."
+            .into(),
+        columns,
+        rows: choices.iter().map(row).collect(),
+        ..Table::default()
+    }
 }
 
 /// The multiplications of the methods that solve the problem, the cheapest first.
@@ -167,7 +223,10 @@ fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
         ),
         x: Axis::log("multiplications", ""),
         bars: solved.iter().enumerate().map(bar).collect(),
-        limit: budget(progress).map(|value| (value, "ten sweeps of pgs".into())),
+        limit: budget(progress).map(|value| {
+            let left = left(progress).map(|share| format!(": {share} unsupported"));
+            (value, format!("ten sweeps of pgs{}", left.unwrap_or_default()))
+        }),
     }
 }
 
@@ -236,15 +295,13 @@ fn by_work(progress: &Progress) -> Lines {
     let mut residuals = curves(progress, |mark| Some(mark.residual.max(LEAST)), true);
     residuals.extend(progress.methods.iter().filter_map(slope));
     let changes = changes(progress);
-    let has_changes = !changes.points.is_empty();
-    residuals.extend(has_changes.then_some(changes));
+    residuals.extend((!changes.points.is_empty()).then_some(changes));
     residuals.push(asked(progress));
     residuals.extend(ten_sweeps(progress, "ten sweeps of pgs"));
     let mut panels = vec![Panel { y: Axis::log("scaled residual", ""), series: residuals }];
     let percent = |mark: &Mark| Some(100.0 * mark.unsupported?).filter(|share| *share > SUPPORTED);
     let mut unsupported = curves(progress, percent, false);
-    let has_weight = !unsupported.is_empty();
-    if has_weight {
+    if !unsupported.is_empty() {
         unsupported.extend(ten_sweeps(progress, ""));
         panels.push(Panel { y: Axis::log("unsupported weight", "%"), series: unsupported });
     }
@@ -252,18 +309,14 @@ fn by_work(progress: &Progress) -> Lines {
         id: id(&progress.problem, "work"),
         title: finding(progress),
         caption: format!(
-            "{} rows; SOR uses ω = {}. A product with A takes {} multiplications, one for each stored entry; a small \
-             A, as here, is stored with its zeros. The cost of a method is where its curve meets the tolerance; \
-             a pivoting method has one marker, at its end. Sweeps first remove the part of the error that changes \
-             sign from contact to contact. Then each sweep multiplies the residual by the spectral radius of the \
-             iteration matrix on the active set, the rows between their bounds (pale bands, over the second half of \
-             the sweeps{}).{} {}",
+            "{} rows; SOR uses ω = {}; a product with A takes {} multiplications. The cost of a method is where its \
+             curve meets the tolerance; a pivoting method has one marker, at its end. Pale bands: the spectral \
+             radius, over the second half of the sweeps{}.{}",
             count(progress.rows),
             readable(progress.omega, 3),
             count(progress.stored),
             progress.methods.iter().filter_map(radius).collect::<String>(),
-            faster_than_radius(progress),
-            besides_residuals(has_weight, has_changes)
+            faster_than_radius(progress)
         ),
         x: Axis::log("multiplications", ""),
         panels,
@@ -294,48 +347,25 @@ fn is_faster(method: &MethodProgress) -> Option<bool> {
     Some(measured < FASTER * method.rate?.ln())
 }
 
-/// What the figure shows besides the residuals.
-fn besides_residuals(has_weight: bool, has_changes: bool) -> String {
-    let weight = "how much weight is still unsupported after each amount of work";
-    let changes = "where the active set of *pgs* changes";
-    let shown = match (has_weight, has_changes) {
-        (true, true) => format!("{weight}, and {changes}"),
-        (true, false) => weight.into(),
-        (false, true) => changes.into(),
-        (false, false) => return String::new(),
-    };
-    format!(
-        "In addition to the residual, which Silcowitz et al. (2010) and Mazhar et al. (2015) plot, \
-         this figure also shows {shown}."
-    )
-}
-
 /// The predicted factor per sweep of a method.
 fn radius(method: &MethodProgress) -> Option<String> {
     Some(format!("; {}: {:.5} per sweep", method.solver, method.rate?))
 }
 
-/// The weight that ten sweeps leave unsupported, and the cost of the cheapest solver.
+/// The cost of the cheapest solver, and what ten sweeps of PGS leave.
 fn finding(progress: &Progress) -> String {
     let undone = match (left(progress), pgs(progress).and_then(MethodProgress::ten)) {
-        (Some(share), _) => {
-            format!("ten sweeps of pgs leave {share} of the total weight unsupported")
-        }
-        (None, Some(ten)) => {
-            format!("ten sweeps of pgs leave a residual of {}", readable(ten.residual, 2))
-        }
+        (Some(share), _) => format!("{share} of the weight unsupported"),
+        (None, Some(ten)) => format!("a residual of {}", readable(ten.residual, 2)),
         _ => return format!("{}: residual by multiplication", progress.problem),
     };
     match (by_cost(progress).first(), budget(progress)) {
-        (Some(first), Some(ten)) => {
-            let part = match work(first) / ten {
-                more if more > 1.0 => format!("{} times", readable(more, 2)),
-                less => format!("{} % of", readable((100.0 * less).round(), 3)),
-            };
-            let (problem, solver) = (&progress.problem, &first.solver);
-            format!("{problem}: {undone}; {solver} solves the problem with {part} their work")
-        }
-        _ => format!("{}: {undone}", progress.problem),
+        (Some(first), Some(ten)) => format!(
+            "{} needs {} the work of ten sweeps, which leave {undone}",
+            first.solver,
+            part(work(first) / ten)
+        ),
+        _ => format!("{}: ten sweeps leave {undone}", progress.problem),
     }
 }
 

@@ -22,21 +22,18 @@ impl Rows {
         document.text(Self::words(maps));
     }
 
-    /// The finding: the largest residual after the last sweep, of the method with the most and of
-    /// that with the least.
+    /// The finding: how many contacts a sweep from the top carries the ground's impulse up.
     fn title(&self, maps: &[&RowResiduals]) -> String {
-        let by_left = |a: &&&RowResiduals, b: &&&RowResiduals| largest(a).total_cmp(&largest(b));
-        let left = |map: &RowResiduals| {
-            format!("{} m/s with {}", readable(largest(map), 2), map.method.name())
-        };
-        let sweeps = self.sweeps;
-        match (maps.iter().max_by(by_left), maps.iter().min_by(by_left)) {
-            (Some(most), Some(least)) => format!(
-                "After {sweeps} sweeps the largest residual is {}, {}",
-                left(most),
-                left(least)
+        let down = maps.iter().find(|map| map.method == Sweep::Down);
+        let reached = down.and_then(|map| Some((map.residuals.len() - 2, arrival(map)?)));
+        match reached {
+            Some((contacts, sweeps)) if contacts == sweeps => {
+                "From the top down, a sweep carries the ground's impulse up by one contact".into()
+            }
+            Some((contacts, sweeps)) => format!(
+                "From the top down, the ground's impulse needs {sweeps} sweeps for {contacts} contacts"
             ),
-            _ => format!("Residuals in {sweeps} sweeps"),
+            None => format!("Residuals in {} sweeps", self.sweeps),
         }
     }
 
@@ -53,13 +50,10 @@ impl Rows {
             title: self.title(maps),
             caption: "Each small square is the residual of one row after one sweep; the contact with the \
                       ground is at the bottom, and white is a residual of 0. In sweeps from the top down, the \
-                      impulse of the ground moves up by one row per sweep: the white area shows the rows that \
-                      it has not reached. In sweeps from the ground up, it reaches the top in the first sweep, \
-                      but halved in each row, so that almost nothing arrives (the row swept last is always \
-                      satisfied). Then the residuals of the lowest rows decrease slowly, and those of the \
-                      upper rows rise until all are similar. With the best ω the residual drops row by row \
-                      from the top, one row per sweep. With Jacobi's method, a row changes in every second \
-                      sweep."
+                      white area shows the rows that the impulse of the ground has not reached. In sweeps from \
+                      the ground up it reaches the top in the first one, but halved in each row, so that almost \
+                      nothing arrives. With the best ω the residual drops by one row per sweep; with Jacobi's \
+                      method, a row changes in every second sweep."
                 .into(),
             across: "sweep".into(),
             upwards: "contact, upward".into(),
@@ -70,13 +64,8 @@ impl Rows {
     }
 
     fn words(maps: &[&RowResiduals]) -> String {
-        // The top row itself is satisfied immediately in a sweep from the ground up.
-        let reached = |map: &&RowResiduals| {
-            let top = map.residuals.iter().rev().nth(1)?;
-            top.iter().position(|residual| *residual > ROUNDING)
-        };
         let of = |map: &&RowResiduals| {
-            let arrives = reached(map).map_or("never".into(), |sweep| sweep.to_string());
+            let arrives = arrival(map).map_or("never".into(), |sweep| sweep.to_string());
             format!("{arrives} (*{}*)", map.method.name())
         };
         let arrivals: Vec<String> = maps.iter().map(of).collect();
@@ -87,8 +76,9 @@ impl Rows {
     }
 }
 
-/// The largest residual after the last sweep (m/s).
-fn largest(map: &RowResiduals) -> f64 {
-    let last = map.residuals.iter().filter_map(|row| row.last());
-    last.copied().fold(0.0, f64::max)
+/// The sweep in which the impulse from the ground reaches the second contact from the top. (The top
+/// row itself is satisfied immediately in a sweep from the ground up.)
+fn arrival(map: &RowResiduals) -> Option<usize> {
+    let top = map.residuals.iter().rev().nth(1)?;
+    top.iter().position(|residual| *residual > ROUNDING)
 }

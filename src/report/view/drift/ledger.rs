@@ -65,13 +65,31 @@ fn figure(id: String, findings: &[&Account]) -> Lines {
     let worst = readable(remainders.fold(0.0, f64::max), 2);
     Lines {
         id,
-        title: format!("The entries of the ledger sum to the change of energy, to within {worst} J"),
-        caption: "Gains are positive. The pale band is the measured change of kinetic plus potential energy; the \
-                  line on it is the sum of the entries. For a scheme that does not record the forces, only the band is shown."
-            .into(),
+        title: title(findings),
+        caption: format!(
+            "Gains are positive. The pale band is the measured change of kinetic plus potential energy; the line on \
+             it is the sum of the entries, to within {worst} J. For a scheme that does not record the forces, only \
+             the band is shown."
+        ),
         x: Axis::linear("time", "s"),
         panels: findings.iter().map(|finding| panel(finding)).collect(),
     }
+}
+
+/// The finding: the largest entry at the end of a run.
+fn title(findings: &[&Account]) -> String {
+    let at_end = |finding: &&Account| {
+        let last = finding.books.last()?;
+        let largest = used(finding)
+            .into_iter()
+            .max_by(|a, b| last.accounts[a.0].abs().total_cmp(&last.accounts[b.0].abs()))?;
+        Some((last.accounts[largest.0], largest.1.to_string(), finding.run.title.clone()))
+    };
+    let largest = findings.iter().filter_map(at_end).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    let Some((work, name, run)) = largest else { return "The energy ledger".into() };
+    let name = if name == "bias" { "error feedback" } else { &name };
+    let does = if work > 0.0 { "adds" } else { "takes" };
+    format!("{run}: {name} {does} {} J", readable(work.abs(), 3))
 }
 
 fn panel(finding: &Account) -> Panel {

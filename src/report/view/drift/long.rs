@@ -72,9 +72,7 @@ fn figure(id: String, runs: &[&LongRun]) -> Lines {
         title: title(runs),
         caption: format!(
             "The largest error in each period; E is the largest kinetic energy. Pale: the step dt ({}). Full color: \
-             dt/2. The order in the labels is the binary logarithm of the ratio of the two errors in the first period. \
-             Plots of long-time energy errors (Hairer, Lubich and Wanner 2006, chapter I) usually show systems \
-             without contacts; this figure also shows a constraint, its feedback and an impact.",
+             dt/2. *velocity* and *acceleration* are the semi-implicit integrator at the two levels.",
             steps.join("; ")
         ),
         x: Axis::linear("period", ""),
@@ -92,7 +90,7 @@ fn title(runs: &[&LongRun]) -> String {
     let Some(run) = runs.first() else { return String::new() };
     let fine = pairs(run).map(|(_, fine)| fine);
     let mut errors: Vec<_> =
-        fine.filter_map(|fine| Some((*fine.energy.last()?, words(&fine.method)))).collect();
+        fine.filter_map(|fine| Some((*fine.energy.last()?, fine.method.as_str()))).collect();
     errors.sort_by(|a, b| b.0.total_cmp(&a.0));
     let ends = errors.first().into_iter().chain(errors.get(1..).and_then(<[_]>::last));
     let ends: Vec<String> =
@@ -108,32 +106,14 @@ fn panel(run: &LongRun, what: &str, unit: &str, errors: fn(&Curve) -> &Vec<f64>)
         let errors = errors(curve).iter().enumerate();
         errors.map(|(k, error)| (k as f64 + 1.0, scale * error)).collect()
     };
-    let order = |coarse: &Curve, fine: &Curve| match (errors(coarse).first(), errors(fine).first())
-    {
-        (_, Some(fine)) if *fine <= 1e-12 => "rounding".into(),
-        (Some(coarse), Some(fine)) => format!("order {:.1}", (coarse / fine).log2()),
-        _ => "ended".into(),
-    };
     let both = |(coarse, fine): (&Curve, &Curve)| {
-        let label = format!("{}: {}", words(&fine.method), order(coarse, fine));
         [
             Series::measured(format!("{}, dt", coarse.method), points(coarse)).labeled(""),
-            Series::measured(fine.method.clone(), points(fine)).labeled(label),
+            Series::measured(fine.method.clone(), points(fine)).labeled(&fine.method),
         ]
     };
     Panel {
         y: Axis::log(format!("{}: {what}", run.scene.title), unit),
         series: pairs(run).flat_map(both).collect(),
-    }
-}
-
-/// A method in words.
-fn words(method: &str) -> &str {
-    match method {
-        "velocity" => "semi-implicit, velocity level",
-        "acceleration" => "semi-implicit, acceleration level",
-        "midpoint rule" => "implicit midpoint",
-        "RK4" => "RK4",
-        other => other,
     }
 }

@@ -51,7 +51,9 @@ impl View for Plan {
     }
 
     fn headline(&self, tried: &[FamilyAttempts]) -> Headline {
-        Headline::of(self.answer(tried))
+        // No solver solves all problems.
+        let result = self.most_solved(tried);
+        Headline { result, is_mixed: true, ..Headline::of(self.answer(tried)) }
     }
 
     fn outcome(&self, tried: &[FamilyAttempts]) -> Outcome {
@@ -72,12 +74,8 @@ impl Plan {
     fn answer(&self, tried: &[FamilyAttempts]) -> Option<String> {
         let last = self.tolerances.len().checked_sub(1)?;
         let (solvers, costs) = (solvers(tried), costs(tried, last));
-        let solved = |solver: usize| costs.iter().filter(|row| is_solved(&row[solver])).count();
-        let best = (0..solvers.len()).map(solved).max().filter(|best| *best > 0)?;
-        let named: Vec<String> = (0..solvers.len())
-            .filter(|solver| solved(*solver) == best)
-            .map(|solver| format!("*{}*", solvers[solver]))
-            .collect();
+        let (best, named) = best_of_all(&solvers, &costs)?;
+        let named: Vec<String> = named.iter().map(|solver| format!("*{solver}*")).collect();
         let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
         let others = match unsolved {
             0 => String::new(),
@@ -88,20 +86,36 @@ impl Plan {
         let of_contacts: Vec<(&String, (usize, usize))> = of_contacts.collect();
         let most = of_contacts.iter().map(|(_, (solved, _))| *solved).max()?;
         let all = of_contacts.iter().map(|(_, (_, all))| *all).max()?;
-        let best_of_contacts: Vec<String> = of_contacts
-            .iter()
-            .filter(|(_, (solved, _))| *solved == most)
-            .map(|(solver, _)| format!("*{solver}*"))
-            .collect();
+        let (best_of_contacts, fewer): (Vec<_>, Vec<_>) =
+            of_contacts.iter().partition(|(_, (solved, _))| *solved == most);
+        let italic = |those: Vec<&(&String, (usize, usize))>| {
+            listed(&those.iter().map(|(solver, _)| format!("*{solver}*")).collect::<Vec<_>>())
+        };
+        // The shorter of two lists.
+        let these = match best_of_contacts.len() > fewer.len() && !fewer.is_empty() {
+            true => format!("all solvers but {}", italic(fewer)),
+            false => italic(best_of_contacts),
+        };
         Some(format!(
-            "**Which solver solves most problems?** At the tolerance {}, of {all} problems with symmetric \
-             semidefinite A, as contacts and joints have, {most} are solved by {}. {} {verb} {best} of all \
-             {} problems that have a solution{others}.",
-            tolerance(self.tolerances[last]),
-            listed(&best_of_contacts),
+            "**{} {verb} {best} of the {} problems that have a solution, the most of {} solvers** (tolerance \
+             {}{others}). Of the {all} with symmetric semidefinite A, as contacts and joints have, {these} solve {most}.",
             listed(&named),
-            costs.len()
+            costs.len(),
+            solvers.len(),
+            tolerance(self.tolerances[last]),
         ))
+    }
+
+    /// The most problems that a solver solves, and those solvers.
+    fn most_solved(&self, tried: &[FamilyAttempts]) -> Option<[String; 2]> {
+        let last = self.tolerances.len().checked_sub(1)?;
+        let (solvers, costs) = (solvers(tried), costs(tried, last));
+        let (best, named) = best_of_all(&solvers, &costs)?;
+        let value = format!("{best} of {}", costs.len());
+        Some([
+            value,
+            format!("problems solved, the most of {} solvers: {}", solvers.len(), listed(&named)),
+        ])
     }
 
     /// By multiplications, at the last tolerance: for all problems, and for those that a solver
@@ -211,6 +225,14 @@ impl Plan {
             rows,
         )
     }
+}
+
+/// The most problems that a solver solves, and the solvers that do.
+fn best_of_all<'a>(solvers: &'a [String], costs: &[Vec<Cost>]) -> Option<(usize, Vec<&'a str>)> {
+    let solved = |solver: usize| costs.iter().filter(|row| is_solved(&row[solver])).count();
+    let best = (0..solvers.len()).map(solved).max().filter(|best| *best > 0)?;
+    let those = (0..solvers.len()).filter(|solver| solved(*solver) == best);
+    Some((best, those.map(|solver| solvers[solver].as_str()).collect()))
 }
 
 /// The solvers, in the order of the attempts.
