@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use lcplab::diagnosis::{Precision, single_precision};
 use lcplab::error::Result;
 use lcplab::files;
 use lcplab::judge::{Certificate, Demand, Verdict, judge, printed_up};
@@ -22,6 +23,7 @@ use serde_json::{Map, Value, json};
 use super::friction;
 use super::limits::MemoryLimit;
 use super::loads;
+use super::mistake;
 use super::problem::{rows, title};
 use super::{Outcome, print, read_problem, say};
 
@@ -213,6 +215,9 @@ fn certified(
     text += &MotionError::text(question, x);
     if certificate.verdict.is_solution() {
         text += &Descent::text(question, x);
+    } else if Precision::of(x) == Precision::Single {
+        text +=
+            &single_precision(&problem.lcp, x).map(mistake::single_precision).unwrap_or_default();
     }
     text += &loads.map(Loads::text).unwrap_or_default();
     text + &rows(problem, x, certificate)

@@ -54,8 +54,6 @@ pub fn words(search: &MistakeSearch, single: Option<[f64; 2]>) -> String {
             found(search) + &solution + &if is_found { String::new() } else { limits(search) }
         }
     };
-    // A larger residual is obviously more than rounding.
-    let single = single.filter(|[own, _]| *own < ROUNDING_LIKE);
     verdict + &conclusion + &single.map_or_else(String::new, single_precision)
 }
 
@@ -135,8 +133,11 @@ fn precision(precision: Precision) -> String {
     }
 }
 
-/// Whether single precision explains the residual.
-fn single_precision([own, least]: [f64; 2]) -> String {
+/// Whether single precision explains the residual; empty if it is obviously more than rounding.
+pub fn single_precision([own, least]: [f64; 2]) -> String {
+    if own >= ROUNDING_LIKE {
+        return String::new();
+    }
     // Even if the solution is representable in single precision, sums can be rounded.
     let limit = 10.0 * least.max(f64::from(f32::EPSILON));
     let word = if own <= limit { "as good as" } else { "worse than" };

@@ -28,6 +28,7 @@ Examples:
   lcplab test dumps --plugin \"python3 mine.py\"
   lcplab test dumps --plugin \"python3 mine.py\" --baseline base.json --update  # record this run
   lcplab test dumps --plugin \"python3 mine.py\" --baseline base.json           # in CI
+  lcplab test dumps --plugin \"python3 mine32.py\" --motion-error 1e-2           # float32
   lcplab test dumps pd stack --solver pgs --junit test.xml --sarif test.sarif
 
 A problem fails if the solver claims a solution that the judge rejects, or if the solver crashes, exceeds the time limit or \
@@ -59,6 +60,11 @@ pub struct Test {
     /// Do not fail if problems or solvers of the baseline are not tested
     #[arg(long, requires = "baseline")]
     allow_missing: bool,
+    /// Also accept an answer that the judge rejects if its motion error is at most LIMIT, relative
+    /// to the constraints' effect: 1e-2 suits single precision. The problem must have the key
+    /// motion
+    #[arg(long, value_name = "LIMIT", value_parser = limit)]
+    motion_error: Option<f64>,
     /// A result is worse if it takes more than FACTOR times the recorded iterations
     #[arg(long, value_name = "FACTOR", default_value_t = 2.0, value_parser = factor)]
     worse_iterations: f64,
@@ -84,6 +90,14 @@ fn factor(text: &str) -> std::result::Result<f64, String> {
     match text.parse() {
         Ok(factor) if (1.0..f64::INFINITY).contains(&factor) => Ok(factor),
         _ => Err("must be a number of at least 1".into()),
+    }
+}
+
+/// A positive number below 1.
+fn limit(text: &str) -> std::result::Result<f64, String> {
+    match text.parse() {
+        Ok(limit) if limit > 0.0 && limit < 1.0 => Ok(limit),
+        _ => Err("must be a number above 0 and below 1".into()),
     }
 }
 
@@ -176,7 +190,13 @@ impl Test {
         let options = self.solve.options(methods)?;
         let progress = bar((problems.len() * contenders.len()) as u64, "problems");
         let stop = limits.stop();
-        let all = families::Limits { stop, each: None, search: true, tick: &|| progress.inc(1) };
+        let all = families::Limits {
+            stop,
+            each: None,
+            motion: self.motion_error,
+            search: true,
+            tick: &|| progress.inc(1),
+        };
         let rows = families::run_on(problems, Models::Stated(&[]), contenders, &options, &all);
         limits.over();
         progress.finish_and_clear();

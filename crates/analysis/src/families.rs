@@ -19,7 +19,7 @@
 //! // The same with more to choose: the solvers by name, a time limit, progress.
 //! let problems = [("murty".to_string(), instances(family, 1))];
 //! let contenders = [Contender::named("lemke", registry)?];
-//! let limits = Limits { stop: &stop, each: None, search: false, tick: &|| () };
+//! let limits = Limits { stop: &stop, each: None, motion: None, search: false, tick: &|| () };
 //! let named = run_on(&problems, Models::Usual(&[]), &contenders, &options, &limits);
 //! assert_eq!(named[0].iterations, rows[0].iterations);
 //! assert!(useless(&named, &contenders).is_empty()); // Lemke's method solved something
@@ -37,8 +37,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::answer::{labelled, proof_of_denial};
 use crate::friction::is_impossible;
+use crate::motion_error::MotionError;
 use crate::trial::{Trial, solved_rows};
 use lcplab_judge::{Demand, FrictionCertificate};
+use lcplab_lcp::Question;
 use lcplab_lcp::file::{Expected, Problem};
 use lcplab_lcp::friction::{Model, ProblemForm};
 use lcplab_lcp::library::Family;
@@ -64,7 +66,8 @@ pub struct Row {
     pub claimed: usize,
     /// Answers that the judge proves exactly.
     pub proved: usize,
-    /// Answers that the judge accepts, proved or within tolerance.
+    /// Answers that the judge accepts, proved or within tolerance, or whose motion error is within
+    /// [`Limits::motion`].
     pub accepted: usize,
     /// Problems that are proved to have no solution, and for which the solver claims none.
     #[serde(default, skip_serializing_if = "crate::number::is_zero")]
@@ -163,7 +166,7 @@ pub fn run(
     let of_family = |family: &&dyn Family| (family.name().to_string(), instances(*family, seeds));
     let problems: Vec<_> = families.iter().map(of_family).collect();
     let contenders = Contender::unnamed(methods.iter().cloned());
-    let limits = Limits { stop, each: None, search: false, tick: &|| () };
+    let limits = Limits { stop, each: None, motion: None, search: false, tick: &|| () };
     run_on(&problems, Models::Usual(models), &contenders, options, &limits)
 }
 
@@ -191,6 +194,9 @@ pub struct Limits<'a> {
     pub stop: &'a Stop,
     /// How long a solve may take; it ends at the iterate after.
     pub each: Option<Duration>,
+    /// The relative [motion error](MotionError) up to which an answer counts as accepted, although
+    /// the judge rejects it.
+    pub motion: Option<f64>,
     /// Whether the judge looks for a proof that no solution exists where a solver reports none. A
     /// solver that reports that there is none is always checked.
     pub search: bool,
@@ -386,7 +392,13 @@ fn attempt(
             ProblemForm::Boxed(lcp) => proof_of_denial(lcp, status, &demand).is_some(),
             ProblemForm::Polyhedral(_) | ProblemForm::Cone(_) => false,
         });
-        row.add(&trial.solution, &certificate, problem);
+        let moves_right = |limit: f64| {
+            let question = Question::new(problem, posing.model, family);
+            question.is_ok_and(|own| MotionError::is_within(&own, &trial.solution.x, limit))
+        };
+        let is_accepted =
+            certificate.verdict.is_solution() || limits.motion.is_some_and(moves_right);
+        row.add(&trial.solution, &certificate, is_accepted, problem);
     }
     if unsolvable && row.proved > 0 {
         // A file may say what is not so; a proof outranks it.
@@ -403,14 +415,20 @@ fn reports_none(status: &Status) -> bool {
 }
 
 impl Row {
-    fn add(&mut self, solution: &Solution, certificate: &FrictionCertificate, problem: &Problem) {
+    fn add(
+        &mut self,
+        solution: &Solution,
+        certificate: &FrictionCertificate,
+        is_accepted: bool,
+        problem: &Problem,
+    ) {
         let unsolvable = has_no_solution(problem);
         let status = &solution.status;
         let is_outside = matches!(status, Status::OutsideClass { .. });
         // Without an answer x is the start, which the solver has no part in.
         let is_unanswered = matches!(status, Status::NoAnswer { .. });
         let answers = !is_outside && !is_unanswered;
-        let holds = answers && certificate.verdict.is_solution();
+        let holds = answers && is_accepted;
         let claims = *status == Status::Solved;
         self.outside += usize::from(is_outside);
         self.unanswered += usize::from(is_unanswered);

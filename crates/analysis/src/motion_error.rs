@@ -127,6 +127,29 @@ impl MotionError {
         keys.into_iter().filter_map(|(key, value)| Some((key.into(), value?))).collect()
     }
 
+    /// Whether the motion error of an answer is proved to be at most this part of the effect of the
+    /// constraints. False if the problem does not state its masses and rows, or if A and b were not
+    /// computed from them.
+    ///
+    /// ```
+    /// use lcplab_analysis::motion_error::MotionError;
+    /// use lcplab_lcp::Question;
+    /// use lcplab_lcp::file::Problem;
+    ///
+    /// // 2 kg fall at 3 m/s on one contact; 6.2 N s instead of 6 are 0.1 m/s too much.
+    /// let text = r#"{"A": {"dense": [[0.5]]}, "b": [-3],
+    ///                "motion": {"mass": [[0, 0, 2]], "jacobian": [[0, 0, 1]], "bias": [0],
+    ///                           "compliance": [0], "target": [-3], "level": "velocity"}}"#;
+    /// let question = Question::new(&Problem::parse(text, "fall.json")?, None, "fall.json")?;
+    /// assert!(MotionError::is_within(&question, &[6.2], 0.1));
+    /// assert!(!MotionError::is_within(&question, &[6.2], 0.01));
+    /// # Ok::<(), lcplab_lcp::error::Error>(())
+    /// ```
+    pub fn is_within(question: &Question, x: &[f64], limit: f64) -> bool {
+        let error = MotionError::of(question, x).and_then(Result::ok);
+        error.is_some_and(|error| error.relative() <= limit) && inconsistency(question, x).is_none()
+    }
+
     /// The bound relative to the effect of the constraints; ∞ if x is too inaccurate to tell.
     pub fn relative(&self) -> f64 {
         if self.bound == 0.0 { 0.0 } else { self.bound / self.effect }

@@ -101,6 +101,7 @@ impl Compare {
         let all = families::Limits {
             stop,
             each: self.problems.each()?,
+            motion: None,
             search: false,
             tick: &|| progress.inc(1),
         };

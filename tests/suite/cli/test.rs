@@ -9,7 +9,7 @@ use super::{err, out, run};
 /// x = b/2, row by row, of diagonal problems; what else it does is set by the settings: a wrong
 /// answer, a crash, many iterations, a residual of 1e-9.
 const SOLVER: &str = r#"
-import json, os, sys
+import json, os, struct, sys
 for line in sys.stdin:
     p = json.loads(line)
     n = len(p["b"])
@@ -21,6 +21,8 @@ for line in sys.stdin:
     if bug == "gives up": answer["status"] = "iteration_limit"; x[0] += 1
     if bug == "slow": answer["iterations"] = 21
     if bug == "loose": x[0] *= 1 + 1e-9
+    if bug.startswith("single"): x = list(struct.unpack(f"{n}f", struct.pack(f"{n}f", *x)))
+    if bug == "single, wrong": x[0] *= 1.1
     print(json.dumps({"x": x, **answer}), flush=True)
 "#;
 
@@ -242,4 +244,28 @@ fn a_baseline_that_cannot_be_used_is_refused() {
     let reason = "error: options: --plugin: name the solver to test with --plugin COMMAND or --solver NAME\n";
     assert_eq!((err(&output).as_str(), output.status.code()), (reason, Some(2)));
     assert_eq!(run(&["test", "pd", "--solver", "pgs", "--update"]).status.code(), Some(2));
+}
+
+/// Masses of 100 g that rest on a floor, and x = 0.3 N s, which single precision rounds by 4e-8:
+/// more than the tolerance 1e-8, but a motion error of 4e-8 of what the floor changes.
+#[test]
+fn a_solver_in_single_precision_can_pass_by_its_motion_error() {
+    let folder = folder();
+    std::fs::remove_file(folder.path().join("dumps/one.json")).unwrap();
+    let text = r#"{"A": {"dense": [[10, 0], [0, 10]]}, "b": [-3, -3], "motion": {
+        "mass": [[0, 0, 0.1], [1, 1, 0.1]], "jacobian": [[0, 0, 1], [1, 1, 1]], "bias": [0, 0],
+        "compliance": [0, 0], "target": [-3, -3], "level": "velocity"}}"#;
+    std::fs::write(folder.path().join("dumps/two.json"), text).unwrap();
+    let dumps = folder.path().join("dumps");
+    let code = |bug: &str, more: &[&str]| {
+        let plugin =
+            format!("env 'BUG={bug}' python3 '{}'", folder.path().join("mine.py").display());
+        let test = ["test", dumps.to_str().unwrap(), "--plugin", &plugin];
+        run(&[&test[..], more].concat()).status.code()
+    };
+    assert_eq!(code("single", &[]), Some(1));
+    assert_eq!(code("single", &["--motion-error", "1e-2"]), Some(0));
+    assert_eq!(code("single", &["--motion-error", "1e-9"]), Some(1));
+    assert_eq!(code("single, wrong", &["--motion-error", "1e-2"]), Some(1));
+    assert_eq!(code("single", &["--motion-error", "2"]), Some(2));
 }
