@@ -36,7 +36,7 @@ pub fn document(tried: &[ErratumResult]) -> Document {
         title: "Errata and what their examples show".into(),
         columns: columns.map(str::to_string).to_vec(),
         rows: tried.iter().map(line).collect(),
-        left_out: 0,
+        ..Table::default()
     }));
     let mut document = Document {
         title: "Errata of the chapter".into(),

@@ -169,6 +169,11 @@ impl Diagnose {
             // The rate of the active rows is stated; that of all rows would be a second one.
             found.causes.retain(|cause| !matches!(cause, Cause::Slow { .. }));
         }
+        if examined.as_ref().is_some_and(|examined| {
+            examined.found.ruled_out.iter().any(|what| what.contains("redundant"))
+        }) {
+            found.causes.retain(|cause| !matches!(cause, Cause::Redundant { .. }));
+        }
         self.write(found.document(), examined.as_ref(), loads.as_ref())
     }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use lcplab::animation::{Frame, Strip};
-use lcplab::document::{Document, Section};
+use lcplab::document::{Block, Document};
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
 use lcplab::files;
@@ -92,7 +92,7 @@ const FRAMES: usize = 6;
 
 /// The bodies before the first of the steps and after each, with the forces; `None` if no step can
 /// be taken.
-fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Option<Section>> {
+fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Option<Picture>> {
     let mut scene = scene.clone();
     scene.solver.name = solver.into();
     let mut simulation = Simulation::of(&scene)?;
@@ -114,9 +114,8 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
     let strip = Strip::new(&scene, frames).with_forces();
     let caption = "The bodies before the step and after it, with the forces of contacts and joints; an impulse is drawn as its \
                    average force over the step.";
-    let mut section = Section::new("Bodies and forces");
-    section.figure(Picture { svg: strip.svg(), caption: caption.into(), ..Picture::default() });
-    Ok(Some(section))
+    let (svg, narrow) = (strip.svg(), strip.narrow());
+    Ok(Some(Picture { svg, narrow, caption: caption.into(), ..Picture::default() }))
 }
 
 impl Explain {
@@ -172,7 +171,8 @@ impl Explain {
         let last = first.saturating_add(self.steps.unwrap_or(1) as usize - 1);
         let mut document = steps(&scene, &method, first..=last)?;
         if self.writing.has_pictures() {
-            document.sections.splice(0..0, motion(&scene, method.name(), first, last)?);
+            let figure = motion(&scene, method.name(), first, last)?.map(Block::Figure);
+            document.sections.first_mut().map(|section| section.blocks.splice(0..0, figure));
         }
         if self.loads {
             scene.solver.name = method.name().into();

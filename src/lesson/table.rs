@@ -22,7 +22,7 @@ pub fn table<const N: usize>(
         title: title.into(),
         columns: columns.map(String::from).to_vec(),
         rows: rows.collect(),
-        left_out: 0,
+        ..Table::default()
     }
 }
 

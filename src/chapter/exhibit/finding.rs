@@ -83,7 +83,7 @@ impl Finding {
     /// Adds a table, all of whose rows are shown.
     pub(crate) fn table(mut self, title: &str, columns: &[&str], rows: Vec<Vec<String>>) -> Self {
         let columns = columns.iter().map(|title| title.to_string()).collect();
-        self.tables.push(Table { title: title.into(), columns, rows, left_out: 0 });
+        self.tables.push(Table { title: title.into(), columns, rows, ..Table::default() });
         self
     }
 

@@ -32,7 +32,7 @@ pub fn list(kind: Option<&Group>, verdict: Option<Verdict>) -> Document {
             title: format!("{}, with verdicts", group.title),
             columns: columns.map(str::to_string).to_vec(),
             rows: entries.into_iter().map(line).collect(),
-            left_out: 0,
+            ..Table::default()
         }));
         document.add("", section);
     }

@@ -6,7 +6,7 @@ use super::ReportPage;
 use crate::animation::{Animation, Frame, Recording, Sample, Strip, instants};
 use crate::diagnosis::unsupported::{
     ErrorHistory, Examination, Frame as Problem, ReferenceSolution, UserSolver, error_histories,
-    exact, main_solve,
+    exact, main_solve, percent,
 };
 use crate::document;
 use crate::error::Result;
@@ -19,7 +19,7 @@ use crate::simulation::{Simulation, Step};
 const SWING: f64 = 0.5;
 
 /// The caption of the animation.
-const ANIMATION: &str = "Left: with this solver; right: with exact answers. The redder a body, the less of its \
+const ANIMATION: &str = "First with exact answers, then with this solver. The redder a body, the less of its \
  weight is supported; a fully red body falls freely.";
 
 /// The page of a scene's diagnosis.
@@ -35,7 +35,7 @@ pub(crate) fn diagnosis_page(
 ) -> Result<Page> {
     let page = Page {
         title: words.title.clone(),
-        lead: markup::literal(&words.lead),
+        lead: lead(&words.lead, &found.conclusion()),
         facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
         ..Page::default()
     };
@@ -58,6 +58,14 @@ pub(crate) fn diagnosis_page(
         page.text(problems.iter().map(link).collect::<String>());
     }
     Ok(page.page)
+}
+
+/// The lead, with its conclusion in bold.
+fn lead(lead: &str, conclusion: &str) -> String {
+    match lead.strip_prefix(conclusion).filter(|_| !conclusion.is_empty()) {
+        Some(rest) => format!("**{}**{}", markup::literal(conclusion), markup::literal(rest)),
+        None => markup::literal(lead),
+    }
 }
 
 /// The slowest mode and the errors by sweep of the examined frame, if its error is not negligible.
@@ -94,8 +102,8 @@ fn drawn(figure: &dyn Figure) -> Picture {
 /// The scene as it is solved next to the exact one; bodies with an error are red.
 fn animation(scene: &Scene, steps: usize) -> Result<Animation> {
     let recordings = [
-        recording(&scene.solver.name, scene, steps, &|step| unsupported(scene, step))?,
         recording("exact", &exact(scene), steps, &|_| vec![0.0; scene.bodies.len()])?,
+        recording(&scene.solver.name, scene, steps, &|step| unsupported(scene, step))?,
     ];
     Ok(Animation::new("animation", scene, recordings.into()))
 }
@@ -201,11 +209,28 @@ fn convergence(error_histories: &[ErrorHistory]) -> Lines {
     }
     Lines::new(
         "convergence",
-        "Error after each sweep",
+        left(error_histories).unwrap_or_else(|| "Error after each sweep".into()),
         "Cold start. The theory assumes a fixed active set and is not drawn where the active set \
          would change.",
         Axis::linear("sweeps", ""),
         Axis::log("error", "%"),
         series,
     )
+}
+
+/// What is left of the error after the last sweep: with the first method, and with the best one.
+fn left(error_histories: &[ErrorHistory]) -> Option<String> {
+    let last = |own: &ErrorHistory| own.missing.last().copied().unwrap_or(f64::INFINITY);
+    let first = error_histories.first()?;
+    let best = error_histories.iter().min_by(|a, b| last(a).total_cmp(&last(b)))?;
+    let sweeps = first.missing.len() - 1;
+    let own = format!(
+        "After {sweeps} sweeps {} of the error is left with {}",
+        percent(last(first)),
+        first.name
+    );
+    Some(match best.name == first.name {
+        true => own,
+        false => format!("{own}, {} with {}", percent(last(best)), best.name),
+    })
 }

@@ -16,23 +16,23 @@ fn a_page_shows_animation_pattern_and_sweeps_and_the_problems_lie_beside_it() {
     for part in [
         "Cause: mass ratio",
         "The error pattern of Gauss-Seidel that decays most slowly",
-        "Error after each sweep",
-        "emedies for the whole run",
+        "of the error is left with pgs",
+        "final position off (mm)",
     ] {
         assert!(page.contains(part), "{part}");
     }
-    // Of the boxes three are heavy enough to fall freely at first; the exact take has no red body.
+    // Of the boxes three are heavy enough to fall freely at first; the exact take, the first, has no red body.
     let animation = page.split("<script type=\"application/json\">").nth(1).unwrap();
     let animation: serde_json::Value =
         serde_json::from_str(animation.split("</script>").next().unwrap()).unwrap();
     let heat =
         |recording: usize, body: usize| animation["recordings"][recording]["heat"][body].clone();
     assert_eq!(
-        (0..5).map(|body| heat(1, body)).collect::<Vec<_>>(),
+        (0..5).map(|body| heat(0, body)).collect::<Vec<_>>(),
         vec![serde_json::json!([0]); 5]
     );
     let last = animation["heat"].as_array().unwrap().len() as u64 - 1;
-    let first: Vec<_> = (0..5).filter_map(|body| heat(0, body)[1].as_u64()).collect();
+    let first: Vec<_> = (0..5).filter_map(|body| heat(1, body)[1].as_u64()).collect();
     assert!(first.iter().filter(|steps| **steps == last).count() >= 3, "{first:?} of {last}");
     // The examined step's problem is that of `export`.
     let written = std::fs::read_to_string(folder.path().join("why-step-1.json")).unwrap();
@@ -118,7 +118,7 @@ fn a_plug_in_with_a_bug_is_suspected_and_not_the_scene() {
     let output =
         run(&["diagnose", scene.to_str().unwrap(), "--plugin", &command, "--sweeps", "200"]);
     let words = out(&output).split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words.contains("Cause: suspect the solver. Its error is"), "{words}");
+    assert!(words.contains("Cause: suspect the solver Its error is"), "{words}");
     assert!(!words.contains("tall column") && !words.contains("slow sweeps"), "{words}");
     assert_eq!(output.status.code(), Some(0));
 }
@@ -159,8 +159,7 @@ fn a_diagnosis_begins_with_no_cause_exactly_if_it_has_none() {
         let (begin, rest) = output.split_once("\n1 ").expect("a first section");
         let [begin, rest] =
             [begin, rest].map(|text| text.split_whitespace().collect::<Vec<_>>().join(" "));
-        let announces = begin.contains("has a solution. Cause: ")
-            || begin.contains("has a solution. First of ");
+        let announces = [" the cause", " causes"].iter().any(|words| begin.contains(words));
         assert_eq!(announces, has_cause, "{scene:?}: {begin}");
         assert_eq!(
             begin.contains("No cause of errors was found"),

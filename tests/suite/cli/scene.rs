@@ -248,7 +248,7 @@ fn energy_and_overlaps_that_no_residual_shows_are_warnings_of_simulate_and_diagn
         assert!(warning["message"].as_str().unwrap().contains(words), "{warning}");
         let diagnosis = out(&run(&["diagnose", path]));
         let diagnosis = diagnosis.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(diagnosis.contains("Warning: ") && diagnosis.contains(words), "{diagnosis}");
+        assert!(diagnosis.contains("Warning ") && diagnosis.contains(words), "{diagnosis}");
         assert!(!diagnosis.contains("causes of the error"), "no cause was found: {diagnosis}");
         let json: Value = serde_json::from_str(&out(&run(&["diagnose", path, "--json"]))).unwrap();
         assert!(json["examination"]["warnings"][0].as_str().unwrap().contains(words));

@@ -4,7 +4,7 @@ use super::units::{Units, with_unit};
 use lcplab_judge::{Demand, Verdict, judge, upper_bound};
 use lcplab_lcp::Lcp;
 use lcplab_page::document::Section;
-use lcplab_page::document::notation::{indexed, interval, plain};
+use lcplab_page::document::notation::{indexed, interval, plain, settled};
 use lcplab_solver::Solution;
 
 /// A problem with the meaning of its rows.
@@ -12,6 +12,8 @@ pub(super) struct Reading<'a> {
     pub lcp: &'a Lcp,
     pub labels: Vec<String>,
     pub units: Units,
+    /// Whether the document explains the method before.
+    pub is_again: bool,
 }
 
 /// The section, and whether the judge accepts x.
@@ -19,15 +21,16 @@ pub(super) fn section(reading: &Reading, solution: &Solution, demand: &Demand) -
     let (lcp, x) = (reading.lcp, &solution.x);
     let certificate = judge(lcp, x, demand);
     let mut section = Section::new("the answer");
+    let w = settled(&certificate.w, &sizes(lcp, x));
     let line = |i: usize| {
         let (lo, hi) = lcp.bounds(i, x);
         let value = with_unit(&plain(x[i]), &reading.units.x[i]);
-        let w = with_unit(&plain(certificate.w[i]), &reading.units.w[i]);
+        let rate = with_unit(&plain(w[i]), &reading.units.w[i]);
         vec![
             with_unit(&i.to_string(), &reading.labels[i]),
             format!("{} = {value}", indexed("x", i)),
             interval(lo, hi),
-            format!("{} = {w}", indexed("w", i)),
+            format!("{} = {rate}", indexed("w", i)),
             meaning(x[i], lo, hi).to_string(),
         ]
     };
@@ -35,6 +38,15 @@ pub(super) fn section(reading: &Reading, solution: &Solution, demand: &Demand) -
     section.table("x and w, row by row", &columns, (0..lcp.len()).map(line).collect());
     section.say(word(&certificate.verdict, certificate.scaled_residual));
     (section, certificate.verdict.is_solution())
+}
+
+/// The sizes of the terms of each w.
+fn sizes(lcp: &Lcp, x: &[f64]) -> Vec<f64> {
+    let size = |i: usize| {
+        let terms = lcp.matrix().row(i).iter().map(|(j, a)| (a * x[j]).abs()).sum::<f64>();
+        terms + lcp.b()[i].abs()
+    };
+    (0..lcp.len()).map(size).collect()
 }
 
 /// The judge's verdict.

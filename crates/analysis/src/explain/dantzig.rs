@@ -27,17 +27,19 @@ pub(super) struct Moves<'a> {
 impl<'a> Moves<'a> {
     pub fn of(reading: &'a Reading<'a>) -> Self {
         let mut section = Section::new("Dantzig's method, move by move");
-        section.say(
-            "Dantzig's method satisfies the rows one after another. To bring wₖ to 0, it changes xₖ, and the free \
-             rows F change with it so that their w stays 0. The move ends when wₖ is 0, when some x reaches a \
-             bound, or when the w of a row at a bound reaches 0. The row that ends it enters or leaves F, or \
-             changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of the length t \
-             of the move.",
-        );
-        section.formula(Formula::default().symbols(
-            "d_k = 1,   d_F = −A_FF⁻¹ A_Fk,   Δw = A d",
-            "d_k = 1, \\qquad d_F = -A_{FF}^{-1} A_{Fk}, \\qquad \\Delta w = A d",
-        ));
+        if !reading.is_again {
+            section.say(
+                "Dantzig's method satisfies the rows one after another. To bring wₖ to 0, it changes xₖ, and the free \
+                 rows F change with it so that their w stays 0. The move ends when wₖ is 0, when some x reaches a \
+                 bound, or when the w of a row at a bound reaches 0. The row that ends it enters or leaves F, or \
+                 changes its bound: this is a pivot. d and Δw are the changes of x and w per unit of the length t \
+                 of the move.",
+            );
+            section.formula(Formula::default().symbols(
+                "d_k = 1,   d_F = −A_FF⁻¹ A_Fk,   Δw = A d",
+                "d_k = 1, \\qquad d_F = -A_{FF}^{-1} A_{Fk}, \\qquad \\Delta w = A d",
+            ));
+        }
         let bounds =
             reading.lcp.lo().iter().copied().zip(reading.lcp.hi().iter().copied()).collect();
         Moves { reading, section, moves: 0, rounds: 0, bounds, writes: true, end: None }

@@ -7,7 +7,7 @@ use super::answer::Reading;
 use super::solve::{self, Scribe};
 use super::units::with_unit;
 use lcplab_lcp::Lcp;
-use lcplab_page::document::notation::{bracketed, indexed, plain};
+use lcplab_page::document::notation::{exact, indexed};
 use lcplab_page::document::{Block, Formula, SHOWN, Section, Table};
 use lcplab_solver::{Iterate, Leaving, Observer, Solution, StepDetail, Tableau, Variable};
 
@@ -25,27 +25,8 @@ impl<'a> Tableaux<'a> {
     pub fn of(reading: &'a Reading<'a>) -> Self {
         let lcp = reading.lcp.clone();
         let mut section = Section::new("Lemke's method, tableau by tableau");
-        section.say(
-            "A covering variable z makes every w nonnegative. A tableau expresses the basic variables in \
-             terms of the nonbasic ones, which are 0, so its first column has the values of the basic \
-             variables. z enters first and increases until no w is negative, which is the largest ratio. \
-             After that, the complement of the variable that has just left enters and increases until the \
-             first basic variable reaches 0, which is the smallest ratio. When z leaves, x is a solution. \
-             Ties are broken lexicographically.",
-        );
-        section.formula(Formula::default().symbols(
-            "w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0",
-            "w = A x + b + z e, \\qquad x, w, z \\ge 0, \\qquad x_i w_i = 0",
-        ));
-        let is_standard = |i: usize| lcp.lo()[i] == 0.0 && lcp.hi()[i] == f64::INFINITY;
-        if !(0..lcp.len()).all(is_standard) {
-            section.say(
-                "Rows with bounds other than 0 and ∞ are transformed to this form: y is the distance of x \
-                 from one bound, t its distance from the other bound, and v the multiplier of the other bound. Rows \
-                 without bounds are eliminated first. If both bounds are finite, t is y measured from the \
-                 other bound, and v is −w. The tableau then has one variable of each pair, and y or t must not exceed \
-                 the distance between the bounds.",
-            );
+        if !reading.is_again {
+            introduce(&mut section, &lcp);
         }
         Tableaux { reading, section, tableaux: 0, rounds: 0, lcp }
     }
@@ -78,8 +59,12 @@ impl<'a> Tableaux<'a> {
         let headings = ["basic", "value", "unit"].map(String::from).into_iter();
         let line = |&r: &usize| {
             let own_cells =
-                [self.name(own.basic[r]), plain(own.constant[r]), self.unit(own.basic[r])];
-            let entries = columns.iter().map(|&c| plain(own.rows[r][c]));
+                [self.name(own.basic[r]), exact(own.constant[r]), self.unit(own.basic[r])];
+            let is_pivot = |c: usize| own.entering == Some(c) && leaving_row(own) == Some(r);
+            let entries = columns.iter().map(|&c| match is_pivot(c) {
+                true => format!("[{}]", exact(own.rows[r][c])),
+                false => exact(own.rows[r][c]),
+            });
             own_cells.into_iter().chain(entries).chain([ratio(own, r)]).collect()
         };
         let table = Table {
@@ -90,6 +75,7 @@ impl<'a> Tableaux<'a> {
                 .collect(),
             rows: rows.iter().map(line).collect(),
             left_out: own.pairs - rows.len(),
+            chosen: leaving_row(own).and_then(|leaving| rows.iter().position(|r| *r == leaving)),
         };
         let remark = match own.nonbasic.len() - columns.len() {
             0 => None,
@@ -118,6 +104,32 @@ impl<'a> Tableaux<'a> {
             }
             (None, _) => "z is 0: solved".into(),
         }
+    }
+}
+
+/// What the method does, and how a tableau is read.
+fn introduce(section: &mut Section, lcp: &Lcp) {
+    section.say(
+        "A covering variable z makes every w nonnegative. A tableau expresses the basic variables in \
+         terms of the nonbasic ones, which are 0, so its first column has the values of the basic \
+         variables. z enters first and increases until no w is negative, which is the largest ratio. \
+         After that, the complement of the variable that has just left enters and increases until the \
+         first basic variable reaches 0, which is the smallest ratio. When z leaves, x is a solution. \
+         The pivot is in brackets, and ← marks the row of the leaving variable. Ties are broken lexicographically.",
+    );
+    section.formula(Formula::default().symbols(
+        "w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0",
+        "w = A x + b + z e, \\qquad x, w, z \\ge 0, \\qquad x_i w_i = 0",
+    ));
+    let is_standard = |i: usize| lcp.lo()[i] == 0.0 && lcp.hi()[i] == f64::INFINITY;
+    if !(0..lcp.len()).all(is_standard) {
+        section.say(
+            "Rows with bounds other than 0 and ∞ are transformed to this form: y is the distance of x \
+             from one bound, t its distance from the other bound, and v the multiplier of the other bound. Rows \
+             without bounds are eliminated first. If both bounds are finite, t is y measured from the \
+             other bound, and v is −w. The tableau then has one variable of each pair, and y or t must not exceed \
+             the distance between the bounds.",
+        );
     }
 }
 
@@ -153,7 +165,12 @@ fn ratio(own: &Tableau<'_>, r: usize) -> String {
         return String::new();
     }
     let mark = if leaving_row(own) == Some(r) { " ←" } else { "" };
-    format!("{}/{} = {}{mark}", plain(value), bracketed(divisor), plain(value / divisor))
+    let [value, divisor, ratio] = [value, divisor, value / divisor].map(exact);
+    let bracketed = |number: String| match number.contains('/') {
+        true => format!("({number})"),
+        false => number,
+    };
+    format!("{}/{} = {ratio}{mark}", bracketed(value), bracketed(divisor))
 }
 
 impl Observer for Tableaux<'_> {

@@ -56,7 +56,7 @@ fn reading<'a>(problem: &file::Problem, lcp: &'a Lcp) -> Reading<'a> {
         row.and_then(|row| row.get("label")?.as_str()).unwrap_or_default().to_string()
     };
     let labels = (0..lcp.len()).map(label).collect();
-    Reading { lcp, labels, units: Units::stated(problem) }
+    Reading { lcp, labels, units: Units::stated(problem), is_again: false }
 }
 
 /// A box, coupled or frozen; returns whether the judge accepts the answer.

@@ -4,24 +4,38 @@ use nalgebra::Vector3;
 
 use super::step_units::of_motion;
 use lcplab_lcp::friction::ProblemForm;
-use lcplab_mechanics::body::{Mass, State, angular, linear};
+use lcplab_mechanics::assembly::Row;
+use lcplab_mechanics::body::{Body, Mass, State, angular, linear};
 use lcplab_mechanics::constraint::Kind;
 use lcplab_mechanics::formulation::{Posing, Problem, Stage};
 use lcplab_mechanics::scene::{Feedback, Scene};
 use lcplab_mechanics::simulation::Step;
-use lcplab_page::document::notation::{bracketed, interval, plain, vector};
+use lcplab_page::document::notation::{interval, plain, settled, vector};
 use lcplab_page::document::{SHOWN, Section};
 
-/// s and u of all bodies, with this time as the title.
-pub(super) fn states(when: &str, scene: &Scene, states: &[State]) -> Section {
+/// s and u of the moving bodies, with this time as the title, and their masses and forces if a
+/// problem has them.
+pub(super) fn states(
+    when: &str,
+    scene: &Scene,
+    states: &[State],
+    problem: Option<&Problem>,
+) -> Section {
     let mut section = Section::new(when);
-    section.say("The step starts from these states s and velocities u.");
-    state_table(&mut section, "the bodies before", scene, states);
+    let title = "the moving bodies before the step: positions, velocities, masses and forces";
+    state_table(&mut section, title, scene, states, problem);
+    let is_fixed = |body: &&Body| body.mass == Mass::Fixed;
+    let fixed: Vec<&str> =
+        scene.bodies.iter().filter(is_fixed).take(SHOWN).map(|body| body.name.as_str()).collect();
+    if !fixed.is_empty() {
+        section
+            .say(format!("Fixed bodies have M⁻¹ = 0 and no columns in J: {}.", fixed.join(", ")));
+    }
     section
 }
 
 /// s and u after the step.
-pub(super) fn after(scene: &Scene, step: &Step) -> Section {
+pub(super) fn after(scene: &Scene, before: &[State], step: &Step) -> Section {
     let mut section = Section::new("the states after the step");
     if step.solves.iter().all(|solve| solve.problem.lcp.is_empty()) {
         section.say(
@@ -29,86 +43,115 @@ pub(super) fn after(scene: &Scene, step: &Step) -> Section {
         );
     }
     section.say("The bodies move with their new velocities, s⁺ = s + dt S u⁺ (S turns velocities into rates of positions and quaternions).");
-    state_table(&mut section, "the bodies after", scene, &step.states);
+    let states = without_rounding(scene, before, &step.states);
+    state_table(&mut section, "the moving bodies after the step", scene, &states, None);
     section
 }
 
-fn state_table(section: &mut Section, title: &str, scene: &Scene, states: &[State]) {
-    let line = |(body, state): (&lcplab_mechanics::body::Body, &State)| {
+/// The states, with 0 for velocities that are rounding errors of the speeds in the step.
+fn without_rounding(scene: &Scene, before: &[State], after: &[State]) -> Vec<State> {
+    let sizes = before.iter().chain(after).map(|state| (state.v.norm(), state.omega.norm()));
+    let (fastest, turning) =
+        sizes.fold((0.0, 0.0), |most: (f64, f64), own| (most.0.max(own.0), most.1.max(own.1)));
+    let fastest = fastest + scene.step.dt * scene.gravity.norm();
+    let settle = |v: &Vector3<f64>, size: f64| {
+        Vector3::from_column_slice(&settled(v.as_slice(), &[size; 3]))
+    };
+    let state = |own: &State| State {
+        v: settle(&own.v, fastest),
+        omega: settle(&own.omega, turning),
+        ..own.clone()
+    };
+    after.iter().map(state).collect()
+}
+
+/// The moving bodies; columns that say nothing stay empty, so that the table leaves them out.
+fn state_table(
+    section: &mut Section,
+    title: &str,
+    scene: &Scene,
+    states: &[State],
+    problem: Option<&Problem>,
+) {
+    let moving = || {
+        scene
+            .bodies
+            .iter()
+            .zip(states)
+            .enumerate()
+            .filter(|(_, (body, _))| body.mass != Mass::Fixed)
+    };
+    let is_turned = |state: &State| state.pose.q.w.abs() != 1.0 || state.omega.norm() > 0.0;
+    let turns = moving().any(|(_, (body, state))| body.mass.dof() == 6 && is_turned(state));
+    let only = |shown: bool, text: String| if shown { text } else { String::new() };
+    let line = |(k, (body, state)): (usize, (&Body, &State))| {
         let q = state.pose.q;
-        let turns = body.mass.dof() == 6;
-        let only = |shown: bool, text: String| if shown { text } else { "—".into() };
-        vec![
+        let turns = turns && body.mass.dof() == 6;
+        let own = vec![
             body.name.clone(),
             triple(&state.pose.p),
             only(turns, vector(&[q.w, q.i, q.j, q.k])),
-            only(body.mass.dof() > 0, triple(&state.v)),
+            triple(&state.v),
             only(turns, triple(&state.omega)),
-        ]
+        ];
+        own.into_iter().chain(mass(problem, k)).collect()
     };
-    let columns = ["body", "p (m)", "q", "v (m/s)", "ω (rad/s)"];
-    section.table(title, &columns, scene.bodies.iter().zip(states).map(line).collect());
-    let is_fixed = |body: &&lcplab_mechanics::body::Body| body.mass == Mass::Fixed;
-    let fixed: Vec<&str> =
-        scene.bodies.iter().filter(is_fixed).take(SHOWN).map(|body| body.name.as_str()).collect();
-    if !fixed.is_empty() {
-        section.say(format!(
-            "Fixed bodies (M⁻¹ = 0; they have no columns in J): {}.",
-            fixed.join(", ")
-        ));
-    }
+    let columns = [
+        "body",
+        "p (m)",
+        "q",
+        "v (m/s)",
+        "ω (rad/s)",
+        "m (kg)",
+        "I xx, yy, zz (kg m²)",
+        "I xy, xz, yz (kg m²)",
+        "force (N)",
+        "torque (N m)",
+    ];
+    section.table(title, &columns, moving().map(line).collect());
+}
+
+/// Mass, inertia, force and torque of a body in a problem; empty if it has none or they are 0.
+fn mass(problem: Option<&Problem>, body: usize) -> [String; 5] {
+    let Some(assembly) = problem.map(|problem| &problem.assembly) else {
+        return Default::default();
+    };
+    let Some(block) = assembly.blocks.iter().find(|block| block.body == body) else {
+        return Default::default();
+    };
+    let force = block.gather(&assembly.force);
+    let (inertia, turns) = (block.inertia, block.dof == 6);
+    let diagonal = Vector3::new(inertia[(0, 0)], inertia[(1, 1)], inertia[(2, 2)]);
+    let off = Vector3::new(inertia[(0, 1)], inertia[(0, 2)], inertia[(1, 2)]);
+    let only = |v: Vector3<f64>| match turns && v != Vector3::zeros() {
+        true => triple(&v),
+        false => String::new(),
+    };
+    let forces = triple(&linear(&force));
+    [plain(block.mass), only(diagonal), only(off), forces, only(angular(&force))]
 }
 
 fn triple(v: &Vector3<f64>) -> String {
     vector(v.as_slice())
 }
 
-/// M⁻¹ and F of the moving bodies.
-pub(super) fn masses(scene: &Scene, problem: &Problem) -> Section {
-    let assembly = &problem.assembly;
-    let mut section = Section::new("masses and forces");
-    let line = |block: &lcplab_mechanics::assembly::Block| {
-        let (force, u) = (block.gather(&assembly.force), block.gather(&assembly.u));
-        let turns = block.dof == 6;
-        let only = |text: String| if turns { text } else { "—".into() };
-        let inertia = block.inertia;
-        let diagonal = Vector3::new(inertia[(0, 0)], inertia[(1, 1)], inertia[(2, 2)]);
-        let off = Vector3::new(inertia[(0, 1)], inertia[(0, 2)], inertia[(1, 2)]);
-        vec![
-            scene.bodies[block.body].name.clone(),
-            plain(block.mass),
-            format!("1/{} = {}", bracketed(block.mass), plain(1.0 / block.mass)),
-            only(triple(&diagonal)),
-            only(triple(&off)),
-            triple(&linear(&force)),
-            only(triple(&angular(&force))),
-            triple(&linear(&u)),
-        ]
-    };
-    let columns = [
-        "body",
-        "m (kg)",
-        "1/m (1/kg)",
-        "I xx, yy, zz (kg m²)",
-        "I xy, xz, yz (kg m²)",
-        "force (N)",
-        "torque (N m)",
-        "v (m/s)",
-    ];
-    section.table(
-        "M, F and u of the moving bodies",
-        &columns,
-        assembly.blocks.iter().map(line).collect(),
-    );
-    section
-}
-
 /// c, J u, J'u and the bounds of every row.
-pub(super) fn rows(scene: &Scene, problem: &Problem, posing: Option<&Posing>) -> Section {
+pub(super) fn rows(
+    scene: &Scene,
+    problem: &Problem,
+    posing: Option<&Posing>,
+    is_again: bool,
+) -> Section {
     let mut section = Section::new("constraints");
     let rows = &problem.assembly.rows;
     let lcp = &problem.lcp;
-    let line = |(i, row): (usize, &lcplab_mechanics::assembly::Row)| {
+    let numbers = |row: &Row, bias: f64| [row.c, row.velocity, row.velocity_product, bias];
+    let mut all = rows.iter().zip(&problem.bias).map(|(row, &bias)| numbers(row, bias));
+    if is_again && all.all(|row| row == [0.0; 4]) {
+        section.say("c, J u, J'u and the bias of every row are now 0.");
+        return section;
+    }
+    let line = |(i, row): (usize, &Row)| {
         let bounds = match lcp.coupling().and_then(|coupling| Some((coupling.index(i)?, coupling)))
         {
             Some((normal, coupling)) => {
@@ -146,10 +189,12 @@ pub(super) fn rows(scene: &Scene, problem: &Problem, posing: Option<&Posing>) ->
         &format!("bias ({})", of_motion(problem.stage, is_angular)),
         &format!("bounds of x ({})", problem.stage.unit(false)),
     ];
-    section.say(
-        "c is the gap of a contact or the position error of a joint, J u its rate, and J'u, with J' = dJ/dt, the part \
-         of its second derivative that the velocities alone cause.",
-    );
+    if !is_again {
+        section.say(
+            "c is the gap of a contact or the position error of a joint, J u its rate, and J'u, with J' = dJ/dt, the part \
+             of its second derivative that the velocities alone cause.",
+        );
+    }
     section.table("the rows", &columns, rows.iter().enumerate().map(line).collect());
     section.say(bias(scene, problem));
     section

@@ -8,11 +8,14 @@ use super::{Method, derivation, friction, refutation, setup};
 use lcplab_judge::ray::Farkas;
 use lcplab_lcp::error::Result;
 use lcplab_lcp::friction::ProblemForm;
-use lcplab_mechanics::formulation::Posing;
+use lcplab_mechanics::formulation::{Posing, Problem};
 use lcplab_mechanics::scene::Scene;
 use lcplab_mechanics::simulation::Solve;
 use lcplab_page::document::Document;
 use lcplab_solver::Solution;
+
+/// Answers that differ by less than this part of the largest x are the same.
+const SAME: f64 = 1e-9;
 
 /// How the solve of an LCP ended.
 #[derive(Clone, Copy)]
@@ -30,6 +33,10 @@ pub(super) struct Single<'a> {
     pub method: &'a Method,
     pub own: &'a Solve,
     pub place: &'a str,
+    /// The LCP of the same step that was explained before it.
+    pub before: Option<&'a Problem>,
+    /// Whether the document explains an LCP before this one.
+    pub is_again: bool,
 }
 
 impl Single<'_> {
@@ -38,10 +45,9 @@ impl Single<'_> {
         let Single { scene, own, place, .. } = *self;
         let problem = &own.problem;
         let posing = own.posing.as_ref();
-        document.add(place, setup::masses(scene, problem));
-        document.add(place, setup::rows(scene, problem, posing));
+        document.add(place, setup::rows(scene, problem, posing, self.is_again));
         let units = Units::of(problem);
-        document.add(place, derivation::newton_to_lcp(scene, problem, posing, &units));
+        document.add(place, derivation::newton_to_lcp(scene, problem, self.before, posing, &units));
         let is_accepted = match posing {
             None => self.boxed(document, ending)?,
             Some(posing) => self.posed(document, posing)?,
@@ -101,7 +107,9 @@ impl Single<'_> {
         let own = &self.own.solution;
         let Solved { mut section, solution } =
             solve::by_suitable(reading, self.method, Some(&self.own.start))?;
-        if solution.x != own.x {
+        let largest = own.x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let differs = |(a, b): (&f64, &f64)| (a - b).abs() > SAME * largest;
+        if solution.x.iter().zip(&own.x).any(differs) {
             section
                 .say(format!("The simulation came to its answer in another way: {}.", own.status));
         }
@@ -124,6 +132,7 @@ impl Single<'_> {
         let problem = &self.own.problem;
         let rows = problem.assembly.rows.iter();
         let labels = rows.map(|row| row.label(self.scene)).collect();
-        Reading { lcp: &problem.lcp, labels, units: Units::of(problem) }
+        let is_again = self.is_again;
+        Reading { lcp: &problem.lcp, labels, units: Units::of(problem), is_again }
     }
 }

@@ -32,6 +32,11 @@ pub(super) fn matrix(lcp: &Lcp, formula: Formula) -> Formula {
 
 /// lo and hi, and their requirements on w.
 pub(super) fn bounds(section: &mut Section, lcp: &Lcp, law_follows: bool, units: &Units) {
+    let is_standard = |i: usize| lcp.lo()[i] == 0.0 && lcp.hi()[i] == f64::INFINITY;
+    if !law_follows && !lcp.has_coupled_rows() && (0..lcp.len()).all(is_standard) {
+        section.say("Every x ≥ 0 and w ≥ 0, and w > 0 only if x = 0.");
+        return;
+    }
     section.say("x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper \
      one.");
     let formula = Formula::default()

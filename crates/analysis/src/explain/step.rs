@@ -3,12 +3,16 @@
 use std::ops::RangeInclusive;
 
 use super::single::{Ending, Single};
+use super::units::{Units, with_unit};
 use super::{Method, setup};
 use lcplab_lcp::error::{Error, Result};
+use lcplab_lcp::number::{capitalized, counted};
+use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Cause, Failure, Simulation, Solve};
-use lcplab_page::document::notation::plain;
-use lcplab_page::document::{Document, Section};
+use lcplab_page::document::notation::{plain, vector};
+use lcplab_page::document::{Block, Document, Section};
+use lcplab_solver::Registry;
 
 /// Explains the first steps of a scene at velocity or acceleration level.
 ///
@@ -29,62 +33,128 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
             format!("only velocity and acceleration can be explained, not {}", level.name());
         return Err(Error::invalid(scene.name.as_str(), "scheme", reason));
     }
+    let name = if scene.title.is_empty() { &scene.name } else { &scene.title };
     let mut document = Document {
-        title: format!("{}, at {} level, by {}", scene.name, level.name(), method.name()),
-        lead: format!("{}. {}", scene.title, CONVENTIONS),
+        title: format!("{name}, at {} level, by {}", level.name(), method.name()),
+        lead: String::new(),
         sections: Vec::new(),
         is_accepted: true,
     };
+    let mut lead: Vec<String> = Vec::new();
     let mut simulation = Simulation::new(scene.clone(), method.solver()?);
     for number in 1..=*numbers.end() {
         let (states, time) = (simulation.states().to_vec(), simulation.time());
-        let place = format!("Step {number}");
         let outcome = simulation.step();
+        let own = match &outcome {
+            Ok(step) => &step.solves,
+            Err(_) => simulation.unfinished(),
+        };
         if numbers.contains(&number) || outcome.is_err() {
-            let when = format!("from {} s to {} s", plain(time), plain(time + scene.step.dt));
-            document.add(&place, setup::states(&when, scene, &states));
+            let [from, to] = [time, time + scene.step.dt].map(plain);
+            let when = format!("step {number}, from {from} s to {to} s");
+            let problem = own.first().map(|solve| &solve.problem);
+            document.add("", setup::states(&when, scene, &states, problem));
         }
         match outcome {
             Ok(step) if numbers.contains(&number) => {
-                solves(&mut document, scene, method, number, &step.solves, None)?;
-                document.add(&place, setup::after(scene, &step));
+                let place = if numbers.clone().count() > 1 {
+                    format!("Step {number}, ")
+                } else {
+                    String::new()
+                };
+                lead.push(found(&place, &step.solves));
+                solves(&mut document, scene, method, &place, &step.solves, None)?;
+                let mut after = setup::after(scene, &states, &step);
+                after.title = format!("{place}{}", after.title);
+                document.add("", after);
             }
             Ok(_) => {}
             Err(failure) => {
+                lead.push(format!("{failure}."));
                 let solves = simulation.unfinished();
                 impossible(&mut document, scene, method, &failure, solves)?;
                 break;
             }
         }
     }
+    lead.retain(|words| !words.is_empty());
+    lead.truncate(LISTED);
+    lead.push(CONVENTIONS.into());
+    document.lead = lead.join(" ");
     Ok(document)
 }
+
+/// Maximum number of steps whose answers the lead states.
+const LISTED: usize = 2;
+
+/// Maximum number of rows of an x in the lead.
+const SHORT: usize = 6;
 
 const CONVENTIONS: &str = "Rows are numbered from 0. x ≥ 0 pushes the bodies of a row apart. w of a row is the \
  velocity of its second body relative to its first one, plus the bias.";
 
-/// The LCPs of a step, and why it failed, if it did.
+/// The answers of a step in a sentence; empty if nothing was solved.
+fn found(place: &str, solves: &[Solve]) -> String {
+    let solves = solves.iter().filter(|solve| !solve.problem.lcp.is_empty());
+    let one = |own: &Solve| {
+        let (stage, x) = (own.problem.stage, &own.solution.x);
+        let what = match stage {
+            Stage::Velocity => "the impulses of the step",
+            Stage::Impact => "the impulses of the impact",
+            Stage::Restitution => "the impulses with restitution",
+            Stage::Acceleration => "the forces",
+            Stage::Position => "the corrections of the positions",
+        };
+        let unit = Units::of(&own.problem).of_x();
+        let x = match x.len() > SHORT {
+            true => format!(" of {} rows", x.len()),
+            false => format!(", x = {},", with_unit(&vector(x), &unit)),
+        };
+        let entry = Registry::standard().entry(&own.solver);
+        let unit = entry.map_or("iterations", |entry| entry.group.unit());
+        format!("{what}{x} in {}", counted(own.solution.iterations, unit.trim_end_matches('s')))
+    };
+    let parts: Vec<String> = solves.clone().map(one).collect();
+    match solves.last() {
+        Some(last) => {
+            capitalized(&format!("{place}{} finds {}.", last.solver, parts.join(", then ")))
+        }
+        None => String::new(),
+    }
+}
+
+/// The LCPs of a step, and why it failed, if it did; `number` precedes the titles.
 fn solves(
     document: &mut Document,
     scene: &Scene,
     method: &Method,
-    number: usize,
+    number: &str,
     solves: &[Solve],
     failure: Option<&Failure>,
 ) -> Result<()> {
+    let mut before = None;
     for (k, own) in solves.iter().enumerate() {
         if own.problem.lcp.is_empty() {
             continue;
         }
-        let stage = own.problem.stage.name();
-        let place = format!("Step {number}, {}", place(solves, k, stage));
+        let stage = match own.problem.stage {
+            Stage::Velocity => "impulses",
+            Stage::Acceleration => "forces",
+            stage => stage.name(),
+        };
+        let place = capitalized(&format!("{number}{}", place(solves, k, stage)));
         let ending = match failure.map(|failure| &failure.cause) {
             Some(Cause::NoSolution { proof, .. }) if k + 1 == solves.len() => {
                 Ending::Impossible(proof.as_ref())
             }
             _ => Ending::ExplainedAnswer,
         };
-        Single { scene, method, own, place: &place }.explain(document, ending)?;
+        // Sections before the first LCP state the bodies only.
+        let has_derivation = |section: &Section| section.blocks.iter().any(is_heading);
+        let is_again = document.sections.iter().any(has_derivation);
+        let single = Single { scene, method, own, place: &place, before, is_again };
+        single.explain(document, ending)?;
+        before = Some(&own.problem);
     }
     Ok(())
 }
@@ -97,12 +167,16 @@ fn impossible(
     failure: &Failure,
     unfinished: &[Solve],
 ) -> Result<()> {
-    solves(document, scene, method, failure.step, unfinished, Some(failure))?;
+    solves(document, scene, method, "", unfinished, Some(failure))?;
     let mut section = Section::new("the step cannot be solved");
     section.say(format!("{failure}."));
-    document.add(&format!("Step {}", failure.step), section);
+    document.add("", section);
     document.is_accepted = false;
     Ok(())
+}
+
+fn is_heading(block: &Block) -> bool {
+    matches!(block, Block::Heading(_))
 }
 
 /// The stage of solve k; numbered if the step has several of its kind.

@@ -33,16 +33,18 @@ impl<'a> Sweeps<'a> {
     pub fn of(reading: &'a Reading<'a>, name: &str) -> Self {
         let title = if name == Pgs::NAME { "projected Gauss-Seidel" } else { "projected SOR" };
         let mut section = Section::new(format!("{title}, row by row"));
-        section.say(
-            "A sweep updates one row after another, always with the newest x. It sums the w of the row, \
-             divides it by the diagonal entry, and subtracts the result from x. Then it clamps x to its bounds, \
-             before the next row.",
-        );
-        section.formula(Formula::default().symbols(
-            "xᵢ ← Πᵢ( xᵢ − ω wᵢ / aᵢᵢ ),   wᵢ = Σⱼ aᵢⱼ xⱼ + bᵢ",
-            "x_i \\leftarrow \\Pi_i\\left( x_i - \\omega \\frac{w_i}{a_{ii}} \\right), \\qquad \
-             w_i = \\sum_j a_{ij} x_j + b_i",
-        ));
+        if !reading.is_again {
+            section.say(
+                "A sweep updates one row after another, always with the newest x. It sums the w of the row, \
+                 divides it by the diagonal entry, and subtracts the result from x. Then it clamps x to its bounds, \
+                 before the next row.",
+            );
+            section.formula(Formula::default().symbols(
+                "xᵢ ← Πᵢ( xᵢ − ω wᵢ / aᵢᵢ ),   wᵢ = Σⱼ aᵢⱼ xⱼ + bᵢ",
+                "x_i \\leftarrow \\Pi_i\\left( x_i - \\omega \\frac{w_i}{a_{ii}} \\right), \\qquad \
+                 w_i = \\sum_j a_{ij} x_j + b_i",
+            ));
+        }
         let (x, lines, listed) = (Vec::new(), Vec::new(), Vec::new());
         Sweeps { reading, section, x, lines, sweeps: 0, listed, last: None }
     }

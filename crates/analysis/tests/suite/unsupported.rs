@@ -532,7 +532,7 @@ fn a_finite_method_that_gives_up_is_named_with_its_step_and_is_not_called_slow()
         Document { title: "Diagnosis of door, step 1".into(), ..Document::default() };
     found.open(&mut document);
     let place = format!("In step {}, ", found.place + 1);
-    assert!(found.place > 0 && document.lead.starts_with(&place), "{}", document.lead);
+    assert!(found.place > 0 && document.lead.contains(&place), "{}", document.lead);
 }
 
 /// Two points on a rod of 1 m turn by 0.6 rad in a step. The rod keeps its velocity and not its

@@ -27,6 +27,7 @@ impl super::Block {
     /// The picture, formula or table as a block of a page.
     pub fn on_page(&self) -> Block {
         match self {
+            super::Block::Heading(words) => Block::Text(format!("### {}", literal(words))),
             super::Block::Text(words) => Block::Text(literal(words)),
             super::Block::Formula(own) => Block::Equation { latex: formula(own), label: None },
             super::Block::Table(own) => Block::Table(table(own)),
@@ -40,7 +41,15 @@ fn table(table: &super::Table) -> Table {
         true => Column::numbers(literal(title), ""),
         false => Column::words(literal(title)),
     };
-    let row = |row: &Vec<String>| row.iter().map(|cell| Cell::text(cell.as_str())).collect();
+    let row = |(k, row): (usize, &Vec<String>)| {
+        let bold = |cell: &String| match table.chosen == Some(k) && !cell.is_empty() {
+            // The space lets the mark open before a minus sign.
+            true => format!(" **{}**", literal(cell)),
+            false => String::new(),
+        };
+        let cell = |cell: &String| Cell { markup: bold(cell), ..Cell::text(cell.as_str()) };
+        row.iter().map(cell).collect()
+    };
     let left_out = match table.left_out {
         0 => String::new(),
         more => format!("And {more} more lines."),
@@ -49,7 +58,7 @@ fn table(table: &super::Table) -> Table {
         title: table.title.clone(),
         how_to_read: left_out,
         columns: table.columns.iter().enumerate().map(column).collect(),
-        rows: table.rows.iter().map(row).collect(),
+        rows: table.rows.iter().enumerate().map(row).collect(),
         ..Table::default()
     }
 }

@@ -18,6 +18,7 @@ impl Block {
     /// The Markdown, preceded by an empty line.
     pub fn markdown(&self) -> String {
         match self {
+            Block::Heading(words) => format!("\n### {}\n", escaped(words)),
             Block::Text(words) => format!("\n{}\n", escaped(words)),
             Block::Formula(own) => format!("\n$$\n{}\n$$\n", formula(own)),
             Block::Table(own) => table(own),

@@ -54,13 +54,14 @@ pub enum Format {
 /// section.figure(Picture { caption: "The box.".into(), ..Picture::default() });
 ///
 /// let mut document = Document { title: "A box".into(), ..Document::default() };
-/// document.add("step 1", section); // titles stay unique
-/// assert_eq!(document.sections[0].title, "step 1: the weight");
+/// document.add("Step 1", section); // a part of that section
+/// assert_eq!(document.sections[0].title, "Step 1");
 /// let text = document.written(Format::Text)?;
 /// assert!(text.contains("A box of 2 kg on the ground.") && text.contains("19.62"));
 /// let blocks = &document.sections[0].blocks;
-/// assert!(blocks[1].text().contains("19.62") && blocks[1].markdown().contains("19.62"));
-/// assert!(matches!(blocks[0].on_page(), lcplab_page::page::Block::Text(_)));
+/// assert_eq!(blocks[0].text(), "\nThe weight\n");
+/// assert!(blocks[2].text().contains("19.62") && blocks[2].markdown().contains("19.62"));
+/// assert!(matches!(blocks[1].on_page(), lcplab_page::page::Block::Text(_)));
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -87,6 +88,8 @@ pub struct Section {
 /// A block of a section. Text is plain: it contains no markup.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Block {
+    /// The heading of a part of the section.
+    Heading(String),
     /// A paragraph.
     Text(String),
     /// A formula on a line of its own.
@@ -142,6 +145,9 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
     /// The number of omitted rows.
     pub left_out: usize,
+    /// The row that the text around it is about, bold on a page.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub chosen: Option<usize>,
 }
 
 impl Section {
@@ -173,7 +179,8 @@ impl Section {
         let kept: Vec<usize> = (0..columns.len()).filter(|c| is_kept(*c)).collect();
         let columns = kept.iter().map(|c| columns[*c].to_string()).collect();
         let rows = rows.iter().map(|row| kept.iter().map(|c| row[*c].clone()).collect()).collect();
-        self.blocks.push(Block::Table(Table { title: title.into(), columns, rows, left_out }));
+        let table = Table { title: title.into(), columns, rows, left_out, ..Table::default() };
+        self.blocks.push(Block::Table(table));
     }
 }
 
@@ -191,19 +198,30 @@ impl Document {
         }
     }
 
-    /// Adds a section; `place` precedes its title and those of its tables, to keep titles unique.
+    /// Adds a section; if `place` is not empty, as a part of the section with that title. The place
+    /// precedes the titles of tables, to keep them unique.
     pub fn add(&mut self, place: &str, mut section: Section) {
         let titled = |title: &str| match place {
             "" => capitalized(title),
-            place => format!("{place}: {title}"),
+            place => format!("{place}, {title}"),
         };
-        section.title = titled(&section.title);
         for block in &mut section.blocks {
             if let Block::Table(table) = block {
                 table.title = titled(&table.title);
             }
         }
-        self.sections.push(section);
+        let title = capitalized(&section.title);
+        if place.is_empty() {
+            self.sections.push(Section { title, ..section });
+            return;
+        }
+        if self.sections.last().is_none_or(|last| last.title != place) {
+            self.sections.push(Section::new(place));
+        }
+        if let Some(part) = self.sections.last_mut() {
+            part.blocks.push(Block::Heading(title));
+            part.blocks.extend(section.blocks);
+        }
     }
 }
 
@@ -265,10 +283,10 @@ impl Formula {
 impl Table {
     /// Whether a column contains only numbers.
     pub(super) fn is_numeric(&self, column: usize) -> bool {
-        let number = |cell: &String| {
-            !cell.is_empty() && cell.chars().all(|c| "0123456789.−×⁰¹²³⁴⁵⁶⁷⁸⁹⁻∞± ,".contains(c))
-        };
-        self.rows.iter().all(|row| number(&row[column]))
+        let number =
+            |cell: &String| cell.chars().all(|c| "0123456789.−×⁰¹²³⁴⁵⁶⁷⁸⁹⁻∞± ,/[]%<".contains(c));
+        let is_filled = |row: &Vec<String>| !row[column].is_empty();
+        self.rows.iter().any(is_filled) && self.rows.iter().all(|row| number(&row[column]))
     }
 }
 

@@ -59,6 +59,7 @@ impl Block {
 
 fn inked(block: &Block, ink: Ink) -> String {
     match block {
+        Block::Heading(words) => format!("\n{}\n", ink.heading(words)),
         Block::Text(words) => paragraph(words),
         Block::Formula(own) => formula(own, ink),
         Block::Table(own) => table(own, ink),

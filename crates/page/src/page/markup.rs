@@ -32,6 +32,17 @@ pub fn literal(text: &str) -> String {
     out
 }
 
+/// The inverse of [`literal`]: markup without the backslashes of escaped characters.
+pub(super) fn unescaped(markup: &str) -> String {
+    let mut out = String::new();
+    let mut rest = markup.chars().peekable();
+    while let Some(c) = rest.next() {
+        let escapes = c == '\\' && rest.peek().is_some_and(char::is_ascii_punctuation);
+        out.extend(if escapes { rest.next() } else { Some(c) });
+    }
+    out
+}
+
 /// At the start of a text, it prevents a list or a heading.
 const WORD_JOINER: &str = "\u{2060}";
 
@@ -69,13 +80,8 @@ impl Renderer {
     /// A displayed equation; on a narrow screen its parts, between spaces of a quad, stand below
     /// each other.
     pub fn equation(&self, latex: &str) -> Result<String, String> {
-        let spaces = latex.replace("\\qquad", "\\quad");
-        let is_nested = ["\\begin", "\\left", "\\text"].iter().any(|word| latex.contains(word));
-        let parts = match is_nested {
-            true => vec![latex],
-            false => spaces.split("\\quad").filter(|part| !part.trim().is_empty()).collect(),
-        };
-        let math = parts.into_iter().map(|part| self.mathml(part, MathDisplay::Block));
+        let parts = parts(&latex.replace("\\qquad", "\\quad"));
+        let math = parts.iter().map(|part| self.mathml(part, MathDisplay::Block));
         Ok(format!("<span class=\"parts\">{}</span>", math.collect::<Result<String, String>>()?))
     }
 
@@ -167,6 +173,29 @@ impl<'a> Pictures<'a> {
         let sign = |sign| Event::Text(CowStr::Borrowed(sign));
         [vec![sign(" (")], address, vec![sign(")")]].concat()
     }
+}
+
+/// The parts of an equation between spaces of a quad that are in no braces, brackets or matrices;
+/// a text, such as a unit, stays with the part before it.
+fn parts(latex: &str) -> Vec<String> {
+    let is_open = |part: &str| {
+        let part = part.replace("\\leftarrow", "");
+        let count = |words: &str| part.matches(words).count();
+        count("{") != count("}")
+            || count("\\begin") != count("\\end")
+            || count("\\left") != count("\\right")
+    };
+    let mut parts: Vec<String> = Vec::new();
+    for part in latex.split("\\quad") {
+        match parts.last_mut() {
+            Some(last) if is_open(last) || part.trim_start().starts_with("\\text{") => {
+                *last += &format!("\\quad{part}");
+            }
+            _ => parts.push(part.to_string()),
+        }
+    }
+    parts.retain(|part| !part.trim().is_empty());
+    parts
 }
 
 /// The lines that delimit collapsed text, the only HTML that is passed on: `<details>`, a

@@ -4,7 +4,7 @@ use askama::Template;
 use sha2::{Digest, Sha256};
 
 use super::code::code;
-use super::markup::Renderer;
+use super::markup::{Renderer, unescaped};
 use super::player::{self, Player};
 use super::{
     Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table, Thumbnail, Tile,
@@ -419,7 +419,7 @@ impl TableView<'_> {
         let is_plain =
             |own: &Column| !own.title.is_empty() && !own.title.contains(['$', '*', '`', '[']);
         let is_words = |own: &Column| own.align == Align::Left;
-        columns.len() > 2
+        (columns.len() > 2 || self.width() > PHONE)
             && columns.iter().all(is_plain)
             && (columns.iter().all(is_words) || self.width() > PHONES * PHONE)
     }
@@ -451,7 +451,8 @@ impl TableView<'_> {
     /// The heading of a column as plain text, with its unit.
     fn heading(&self, k: &usize) -> String {
         let Column { title, unit, .. } = &self.table.columns[*k];
-        if unit.is_empty() { title.clone() } else { format!("{title} ({unit})") }
+        let title = unescaped(title);
+        if unit.is_empty() { title } else { format!("{title} ({unit})") }
     }
 
     fn class(&self, k: &usize, cell: &Cell) -> String {

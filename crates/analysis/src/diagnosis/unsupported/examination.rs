@@ -7,15 +7,15 @@ use serde_json::{Value, json};
 use super::cause::Moving;
 use super::examine::UnsupportedLoad;
 use super::frame::Frame;
-use super::remedy::RemedyEffect;
+use super::remedy::{Remedy, RemedyEffect};
 use super::show::percent;
 use super::thresholds::{HEALTHY, LARGE_PART, REPORTED_DEPTH};
 
 /// Significant digits of measured values.
 const DIGITS: usize = 2;
 
-/// Number of steps shown.
-const STEPS: usize = 5;
+/// A remedy that leaves a larger part of the error is of no help.
+const HELPFUL: f64 = 0.95;
 
 /// The text if no cause was found but the motion has errors that no residual shows.
 const WARNED_WORDS: &str =
@@ -79,6 +79,7 @@ pub(crate) fn first_bad_step(notes: &[StepSummary]) -> usize {
 /// let names: Vec<&str> = load.causes.iter().map(Slow::name).collect();
 /// assert!(names.iter().all(|name| found.causes().contains(name)));
 /// assert!(!found.headline().is_empty() && found.to_json().is_object());
+/// assert!(found.conclusion().ends_with("the error.")); // the first cause and the best remedy
 /// assert!(found.worst().iter().any(|(measure, _)| *measure == "residual"));
 /// // A reference solution is known for every step.
 /// assert!(found.unsolved(1e-8).is_empty() && found.unsolved_in_words(1e-8).is_empty());
@@ -226,19 +227,25 @@ impl Examination {
         }
     }
 
-    /// The text if the rows are sound but something else is wrong: the first cause, and what helps.
-    fn cause_and_remedy(&self) -> String {
+    /// The first cause and the best remedy, in a sentence; empty if there is no cause.
+    pub fn conclusion(&self) -> String {
         let causes = self.causes();
-        let cause = match causes[..] {
-            [only] => format!("Cause: {only}."),
-            [first, ..] => format!("First of {} causes: {first}.", causes.len()),
-            [] => String::new(),
+        let Some(first) = causes.first() else { return String::new() };
+        let place = match causes.len() {
+            1 => "the cause".into(),
+            more => format!("the first of {more} causes"),
         };
-        let remedy = self.unsupported.as_ref().and_then(UnsupportedLoad::best_remedy);
-        let remedy = remedy.map_or(String::new(), |remedy| {
-            format!(" Remedy: {} (error then {}).", remedy.what, percent(remedy.missing))
-        });
-        format!("The problem of this step has a solution. {cause}{remedy}")
+        let cause = match *first {
+            GAVE_UP | ENDED => capitalized(first),
+            "suspect the solver" => "The solver is suspect".into(),
+            "feedback increases errors" => format!("Feedback that increases errors is {place}"),
+            many if many.ends_with('s') && !many.ends_with("ss") => {
+                format!("{} are {place}", capitalized(many))
+            }
+            one => format!("The {one} is {place}"),
+        };
+        let remedy = self.unsupported.as_ref().and_then(UnsupportedLoad::remedy_in_words);
+        format!("{cause}{}.", remedy.map_or(String::new(), |remedy| format!("; {remedy}")))
     }
 
     /// Inserts it at the beginning of a document.
@@ -249,25 +256,26 @@ impl Examination {
             && self.unmeasured.is_none();
         let rest = match document.is_accepted {
             true if is_well => self.healthy_words(),
-            true if !self.causes().is_empty() => self.cause_and_remedy(),
+            true if !self.causes().is_empty() => String::new(),
             true if !self.warnings.is_empty() => WARNED_WORDS.into(),
             _ => document.lead.clone(),
         };
+        let conclusion = if document.is_accepted { self.conclusion() } else { String::new() };
+        let headline = self.place_in_words(&document.title) + &self.headline();
+        let words = [conclusion, headline, rest];
         document.lead =
-            format!("{}{} {rest}", self.place_in_words(&document.title), self.headline());
+            words.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(" ");
         let found = self.unsupported.as_ref();
         let mut sections: Vec<Section> = self.why().into_iter().collect();
-        sections.extend(found.and_then(UnsupportedLoad::remedies_section));
-        sections.extend(self.remedy_effects_section());
+        sections.extend(self.remedies_section());
         sections.extend(
             found.filter(|found| found.is_short()).and_then(UnsupportedLoad::loads_section),
         );
-        sections.extend(self.steps());
         let mut rest = std::mem::take(&mut document.sections);
         if document.is_accepted {
             // They are harmless but would fill a page; the diagnosis of a single problem, and JSON,
             // contain them.
-            rest.retain(|own| own.title != "Dependent rows");
+            rest.retain(|own| own.title != "Dependent rows" && !own.title.starts_with("Rank and"));
         }
         rest.iter_mut()
             .filter(|own| own.title == "Causes")
@@ -283,7 +291,6 @@ impl Examination {
             (true, true) => "what was examined",
         };
         let mut section = Section::new(title);
-        let mut lines: Vec<String> = Vec::new();
         let slow = self.unsupported.iter().flat_map(|found| &found.causes);
         let mut named: Vec<(&str, String)> =
             slow.map(|cause| (cause.name(), cause.to_string())).collect();
@@ -294,83 +301,48 @@ impl Examination {
                 .map(|how| (GAVE_UP, format!("{how}. From there on the motion is not valid."))),
         );
         named.extend(self.moving.iter().map(|cause| (cause.name(), cause.to_string())));
+        let mut lines: Vec<[String; 2]> = Vec::new();
         for (k, name) in self.causes().into_iter().enumerate() {
             let word = if k == 0 { "Cause" } else { "Also" };
             if let Some((_, text)) = named.iter().find(|(own, _)| *own == name) {
-                lines.push(format!("{word}: {name}. {}", capitalized(text)));
+                lines.push([format!("{word}: {name}"), capitalized(text)]);
             }
         }
-        if let Some(found) = &self.unsupported {
-            lines.extend(found.pace());
-        }
-        lines.extend(self.unsupported.as_ref().and_then(UnsupportedLoad::advice));
-        if let Some(reason) = &self.no_reference {
-            lines.push(format!(
-                "No reference: {reason}. Sinking, feedback, compliance and friction were not \
-             examined."
-            ));
-        }
-        lines.extend(self.warnings.iter().map(|warning| format!("Warning: {warning}")));
-        lines.extend(self.lost_bounces.iter().map(|lost| format!("Note: {lost}.")));
+        let pace = self.unsupported.as_ref().and_then(UnsupportedLoad::pace);
+        lines.extend(pace.map(|pace| ["Slow sweeps".into(), pace]));
+        lines.extend(self.no_reference.iter().map(|reason| {
+            let lost = "Sinking, feedback, compliance and friction were not examined.";
+            ["No reference".into(), format!("{}. {lost}", capitalized(reason))]
+        }));
+        let warnings = self.distinct_warnings().into_iter();
+        lines.extend(warnings.map(|warning| ["Warning".into(), capitalized(warning)]));
+        let lost = self.lost_bounces.iter();
+        lines.extend(lost.map(|lost| ["Note".into(), format!("{}.", capitalized(lost))]));
         if !self.ruled_out.is_empty() {
-            lines.push(format!("Ruled out: {}.", self.ruled_out.join("; ")));
+            let words = format!("{}.", capitalized(&self.ruled_out.join("; ")));
+            lines.push(["Ruled out".into(), words]);
         }
         if !lines.is_empty() {
-            lines.push(format!("Not examined: {NOT_EXAMINED}."));
+            lines.push(["Not examined".into(), format!("{}.", capitalized(NOT_EXAMINED))]);
         }
-        lines.into_iter().for_each(|line| section.say(line));
-        (!section.blocks.is_empty()).then_some(section)
+        let rows: Vec<Vec<String>> = lines.into_iter().map(Vec::from).collect();
+        (!rows.is_empty()).then(|| {
+            section.table("what was found", &["finding", "evidence"], rows);
+            section
+        })
     }
 
-    /// The steps, first the worst by error, then the worst by each of the other measures.
-    fn steps(&self) -> Option<Section> {
-        if self.notes.len() < 2 || !self.unsupported.as_ref().is_some_and(UnsupportedLoad::is_short)
-        {
-            return None;
-        }
-        let mut notes: Vec<&StepSummary> =
-            self.notes.iter().filter(|note| note.missing.is_some_and(|part| part > 0.0)).collect();
-        notes.sort_by(|a, b| b.missing.unwrap_or(0.0).total_cmp(&a.missing.unwrap_or(0.0)));
-        notes.truncate(STEPS);
-        let mut why = vec!["error".to_string(); notes.len()];
-        for (measure, k) in self.worst() {
-            let worst = &self.notes[k];
-            match notes.iter().position(|note| note.name == worst.name) {
-                Some(at) => why[at] += &format!(", {measure}"),
-                None => {
-                    notes.push(worst);
-                    why.push(measure.into());
-                }
+    /// The warnings without those about bodies that earlier ones name.
+    fn distinct_warnings(&self) -> Vec<&str> {
+        let (mut named, mut distinct): (Vec<&str>, Vec<&str>) = Default::default();
+        for warning in &self.warnings {
+            let bodies: Vec<&str> = warning.split('"').skip(1).step_by(2).collect();
+            if bodies.is_empty() || bodies.iter().any(|body| !named.contains(body)) {
+                distinct.push(warning);
             }
+            named.extend(bodies);
         }
-        let optional =
-            |value: Option<f64>| value.map_or(String::new(), |value| readable(value, DIGITS));
-        let row = |(note, why): (&&StepSummary, &String)| {
-            vec![
-                note.name.clone(),
-                why.clone(),
-                note.missing.map_or(String::new(), percent),
-                readable(note.residual, DIGITS),
-                readable(note.bias, DIGITS),
-                optional(note.penetration.map(|depth| 1e3 * depth)),
-                optional(note.energy),
-            ]
-        };
-        let mut section = Section::new("steps");
-        section.table(
-            "the worst steps",
-            &[
-                "step",
-                "worst in",
-                "error",
-                "scaled residual",
-                "bias (m/s)",
-                "overlap (mm)",
-                "energy (J)",
-            ],
-            notes.iter().zip(&why).map(row).collect(),
-        );
-        Some(section)
+        distinct
     }
 
     /// The worst step by each measure except the error: the measure's name and the step's index. A
@@ -391,32 +363,53 @@ impl Examination {
         measures.into_iter().flatten().collect()
     }
 
-    /// The effect of remedies over the whole run.
-    fn remedy_effects_section(&self) -> Option<Section> {
-        let mut section = Section::new("remedies for the whole run");
-        let row = |remedy_effect: &RemedyEffect| {
-            vec![
-                remedy_effect.what.clone(),
-                percent(remedy_effect.missing),
-                readable(1e3 * remedy_effect.off, DIGITS),
-                readable(remedy_effect.iterations, DIGITS),
-            ]
+    /// The remedies: the error of the examined solve with each, and of a whole run.
+    fn remedies_section(&self) -> Option<Section> {
+        let mut section = Section::new("remedies");
+        let solved = self.unsupported.iter().flat_map(|found| &found.remedies);
+        let of_run = |what: &str| self.remedy_effects.iter().find(|own| own.what == what);
+        let now = self.unsupported.as_ref().map_or(0.0, |found| found.missing);
+        let (tried, useless): (Vec<&Remedy>, Vec<&Remedy>) =
+            solved.partition(|own| of_run(&own.what).is_some() || own.missing < HELPFUL * now);
+        let short = |part: f64| percent(part).replace("less than", "<");
+        let run = |own: Option<&RemedyEffect>| match own {
+            Some(own) => [short(own.missing), readable(1e3 * own.off, DIGITS)],
+            None => Default::default(),
         };
-        section.table(
-            "results of a simulation with each remedy alone",
-            &[
-                "remedy",
-                "mean error in the second half of the run",
-                "error of the final position, worst body (mm)",
-                "iterations per step",
-            ],
-            self.remedy_effects.iter().map(row).collect(),
-        );
+        let row = |own: &&Remedy| {
+            let work = match own.work.is_nan() {
+                true => String::new(),
+                false => readable(own.work, DIGITS),
+            };
+            let solve = [own.what.clone(), short(own.missing), work];
+            solve.into_iter().chain(run(of_run(&own.what))).collect()
+        };
+        let mut rows: Vec<Vec<String>> = tried.iter().map(row).collect();
+        let is_new = |own: &&RemedyEffect| tried.iter().all(|remedy| remedy.what != own.what);
+        rows.extend(self.remedy_effects.iter().filter(is_new).map(|own| {
+            let solve = [own.what.clone(), String::new(), String::new()];
+            solve.into_iter().chain(run(Some(own))).collect()
+        }));
+        if rows.is_empty() && useless.is_empty() {
+            return None;
+        }
         section.say(
-            "The final positions are compared with those of exact answers. They vary strongly if bodies bounce or tip over. \
-             A solver that starts from the previous answer may need no iteration in a step.",
+            "Each remedy was tried alone. An error is a distance from the exact motion, in parts of the change of \
+             motion that the constraints cause; that of a run is the mean of its second half.",
         );
-        (!self.remedy_effects.is_empty()).then_some(section)
+        let columns = [
+            "remedy",
+            "error of this solve",
+            "its multiplications",
+            "error of the run",
+            "final position off (mm)",
+        ];
+        section.table("the error with each remedy", &columns, rows);
+        if !useless.is_empty() {
+            let names: Vec<&str> = useless.iter().map(|own| own.what.as_str()).collect();
+            section.say(format!("No help: {}.", names.join(", ")));
+        }
+        Some(section)
     }
 
     /// The same as JSON.

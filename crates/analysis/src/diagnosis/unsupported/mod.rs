@@ -49,4 +49,6 @@ pub use run::{exact, main_solve};
 #[cfg(feature = "mechanics")]
 pub use run::{examine_scene, user_solver};
 pub use sequence::examine_sequence;
+#[doc(hidden)]
+pub use show::percent;
 pub use thresholds::{GOOD, HEALTHY};

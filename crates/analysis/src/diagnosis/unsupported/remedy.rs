@@ -90,6 +90,16 @@ pub fn remedies(
             add(name.into(), entry, &*solver, None);
         }
     }
+    if user_solver.is_sweep()
+        && let Ok(entry) = Registry::standard().entry(AndersonPgs::NAME)
+    {
+        let more = FACTORS[0] * sweeps;
+        let mut own = user_solver.clone();
+        own.options.settings.max_iterations = more;
+        if let Some(solver) = own.other(AndersonPgs::NAME) {
+            add(format!("{}, {more} sweeps", AndersonPgs::NAME), entry, &*solver, None);
+        }
+    }
     all.sort_by(|a, b| a.missing.total_cmp(&b.missing));
     all
 }

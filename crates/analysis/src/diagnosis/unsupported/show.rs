@@ -1,7 +1,7 @@
 //! The error, its causes and remedies, as sentences and tables.
 
 use lcplab_page::document::Section;
-use lcplab_page::number::{count, counted, readable};
+use lcplab_page::number::{counted, readable};
 
 use lcplab_lcp::file::number;
 use serde_json::{Value, json};
@@ -20,9 +20,6 @@ const WHOLE: usize = 5;
 
 /// An error below this fraction is not stated as a number.
 const INVISIBLE: f64 = 1e-4;
-
-/// A factor beyond this counts as a cure.
-const LARGE: f64 = 1000.0;
 
 /// Number of pairs shown.
 const PAIRS: usize = 6;
@@ -75,17 +72,14 @@ impl UnsupportedLoad {
             None => "the change of motion that the constraints cause".into(),
         };
         let error = percent(self.missing);
-        let place = |pair: &Load| format!("; the largest missing impulse is at {}", pair.name);
-        let most = self.pairs.first().map_or(String::new(), place);
         match self.whole.as_ref().filter(|whole| whole.missing() > 0.5 * self.missing) {
             _ if self.missing > 1.0 => {
-                format!("{who} an error of {error} of {effect}, more than x = 0 has{most}.")
+                format!("{who} an error of {error} of {effect}, more than x = 0 has.")
             }
-            Some(whole) => format!(
-                "{who} {} of the total weight unsupported{most}. The error of the motion is {error} of {effect}.",
-                percent(whole.missing())
-            ),
-            None => format!("{who} an error of {error} of {effect}{most}."),
+            Some(whole) => {
+                format!("{who} {} of the total weight unsupported.", percent(whole.missing()))
+            }
+            None => format!("{who} an error of {error} of {effect}."),
         }
     }
 
@@ -117,22 +111,7 @@ impl UnsupportedLoad {
         cures.min_by(|a, b| a.work.total_cmp(&b.work)).or_else(|| self.remedies.first())
     }
 
-    /// The recommended remedy, in words.
-    pub(crate) fn advice(&self) -> Option<String> {
-        let best = self.best_remedy()?;
-        let name = match best.missing <= HEALTHY {
-            true => format!("Cheapest remedy with an error of at most {}", percent(HEALTHY)),
-            false => "Remedy with the smallest error".into(),
-        };
-        Some(format!(
-            "{name}: {}. The error is then {}, after {} multiplications.",
-            best.what,
-            percent(best.missing),
-            readable(best.work, DIGITS)
-        ))
-    }
-
-    /// The load of each body and pair.
+    /// The load of each pair of bodies.
     pub(crate) fn loads_section(&self) -> Option<Section> {
         let mut section = Section::new("loads");
         let part = |load: &Load| match load.due {
@@ -140,63 +119,28 @@ impl UnsupportedLoad {
             due => percent(load.given / due),
         };
         let row = |load: &Load| {
-            let part = part(load);
-            let speeds = [load.approach, load.bias].map(|speed| readable(speed, DIGITS));
             let loads = [load.due, load.given].map(|load| readable(load, 4));
-            [load.name.clone()].into_iter().chain(loads).chain([part]).chain(speeds).collect()
+            [load.name.clone()].into_iter().chain(loads).chain([part(load)]).collect()
         };
         let rows = self.pairs.iter().take(PAIRS).map(row).collect();
-        let (title, w) = match self.is_of_forces {
-            true => ("upward force between two bodies (N), largest error first", "m/s²"),
-            false => ("upward impulse between two bodies (N s), largest error first", "m/s"),
-        };
-        let speeds = ["remaining approach", "speed demanded by feedback"]
-            .map(|what| format!("{what} ({w})"));
-        let [approach, bias] = &speeds;
-        section.table(title, &["between", "required", "actual", "fraction", approach, bias], rows);
-        let body = |load: &Load| {
-            let [due, given] = [load.due, load.given].map(|load| readable(load, 4));
-            vec![load.name.clone(), due, given, part(load)]
-        };
         let title = match self.is_of_forces {
-            true => "net upward force on each body (N)",
-            false => "net upward impulse on each body (N s)",
+            true => "upward force between two bodies (N), largest error first",
+            false => "upward impulse between two bodies (N s), largest error first",
         };
-        let bodies = self.bodies.iter().map(body).collect();
-        section.table(title, &["body", "required", "actual", "fraction"], bodies);
+        section.table(title, &["between", "required", "actual", "fraction"], rows);
         (!self.pairs.is_empty()).then_some(section)
     }
 
-    /// The remedies.
-    pub(crate) fn remedies_section(&self) -> Option<Section> {
-        let mut section = Section::new("remedies");
-        let row = |remedy: &Remedy| {
-            vec![
-                remedy.what.clone(),
-                percent(remedy.missing),
-                remedy.predicted.map_or("–".into(), percent),
-                match self.missing / remedy.missing {
-                    large if large > LARGE => format!("> {LARGE}"),
-                    factor => readable(factor, DIGITS),
-                },
-                count(remedy.iterations),
-                if remedy.work.is_nan() { String::new() } else { readable(remedy.work, DIGITS) },
-            ]
-        };
-        let rows = self.remedies.iter().map(row).collect();
-        section.table(
-            "results of this solve with each remedy alone",
-            &[
-                "remedy",
-                "error",
-                "error predicted by theory",
-                "improvement",
-                "iterations",
-                "multiplications",
-            ],
-            rows,
-        );
-        (!self.remedies.is_empty()).then_some(section)
+    /// What the best remedy does, to end a sentence: "dantzig removes the error".
+    pub(crate) fn remedy_in_words(&self) -> Option<String> {
+        let best = self.best_remedy()?;
+        let verb = if best.what.ends_with("sweeps") { "remove" } else { "removes" };
+        Some(match best.missing <= HEALTHY {
+            true => format!("{} {verb} the error", best.what),
+            false => {
+                format!("with {} the error falls to {}", best.what, percent(best.missing))
+            }
+        })
     }
 
     /// The same as JSON.

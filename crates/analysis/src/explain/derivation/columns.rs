@@ -31,6 +31,21 @@ impl<'a> Columns<'a> {
         Columns { problem, kept, jacobian, is_angular }
     }
 
+    /// Whether J, M⁻¹ and A are those of another problem, so that they need not be shown again.
+    pub fn has_matrices_of(&self, other: &Problem) -> bool {
+        let (own, before) = (&self.problem.assembly, &other.assembly);
+        let (lcp, known) = (&self.problem.lcp, &other.lcp);
+        let rows = own.rows.len();
+        let is_plain = |problem: &Problem| problem.slides.is_empty();
+        rows == before.rows.len()
+            && own.columns() == before.columns()
+            && is_plain(self.problem)
+            && is_plain(other)
+            && (0..rows).all(|i| own.jacobian_row(i) == before.jacobian_row(i))
+            && (0..rows).all(|i| lcp.matrix().row(i).iter().eq(known.matrix().row(i).iter()))
+            && (lcp.lo(), lcp.hi()) == (known.lo(), known.hi())
+    }
+
     pub fn pick(&self, values: &[f64]) -> Vec<f64> {
         self.kept.iter().map(|&column| values[column]).collect()
     }

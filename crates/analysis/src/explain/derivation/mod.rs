@@ -23,11 +23,20 @@ const SIDE_BY_SIDE: usize = 6;
 pub(super) fn newton_to_lcp(
     scene: &Scene,
     problem: &Problem,
+    before: Option<&Problem>,
     posing: Option<&Posing>,
     units: &Units,
 ) -> Section {
     let mut section = Section::new("from Newton's law to the LCP");
     let columns = Columns::of(problem);
+    if let Some(before) = before.filter(|before| columns.has_matrices_of(before)) {
+        let stage = before.stage.name();
+        section.say(format!("J, M⁻¹ and A are those of the {stage} above."));
+        newton(&mut section, &columns, scene.step.dt, true);
+        constraint(&mut section, &columns, units, true);
+        statement::right_side(&mut section, &columns, units);
+        return section;
+    }
     let all = problem.assembly.columns();
     let left_out = all - columns.kept.len();
     let verb = if columns.kept.len() == 1 { "column is" } else { "columns are" };
@@ -42,15 +51,15 @@ pub(super) fn newton_to_lcp(
     if !problem.slides.is_empty() {
         sliding::substitution(&mut section, scene, problem);
     }
-    newton(&mut section, &columns, scene.step.dt);
-    constraint(&mut section, &columns, units);
+    newton(&mut section, &columns, scene.step.dt, false);
+    constraint(&mut section, &columns, units, false);
     insertion(&mut section, &columns, units);
     statement::lcp(&mut section, &columns, posing, units);
     section
 }
 
-/// Step 1: the motion with the constraints' x.
-fn newton(section: &mut Section, columns: &Columns, dt: f64) {
+/// Step 1: the motion with the constraints' x; M⁻¹ unless it is known.
+fn newton(section: &mut Section, columns: &Columns, dt: f64, is_known: bool) {
     let problem = columns.problem;
     let assembly = &problem.assembly;
     let target = columns.pick(&problem.target);
@@ -109,13 +118,16 @@ fn newton(section: &mut Section, columns: &Columns, dt: f64) {
     section.say(words);
     section.formula(Formula::default().symbols(law[0], law[1]));
     section.formula(numbers.unit(columns.unit()));
+    if is_known {
+        return;
+    }
     let response = Formula::default().symbols("M⁻¹ =", "M^{-1} =");
     let unit = if columns.is_angular { "1/kg or 1/(kg m²)" } else { "1/kg" };
     section.formula(columns.inverse_mass(response).unit(unit));
 }
 
-/// Step 2: the conditions of the rows on the motion.
-fn constraint(section: &mut Section, columns: &Columns, units: &Units) {
+/// Step 2: the conditions of the rows on the motion; with J unless it is known.
+fn constraint(section: &mut Section, columns: &Columns, units: &Units, is_known: bool) {
     let (moved, latex) = moved(columns.problem.stage);
     let motion = match columns.problem.stage {
         Stage::Acceleration => "accelerations",
@@ -129,11 +141,13 @@ fn constraint(section: &mut Section, columns: &Columns, units: &Units) {
     let law = Formula::default()
         .symbols(&format!("w = J {moved} + bias"), &format!("w = J {latex} + \\mathrm{{bias}}"));
     section.formula(law);
-    let numbers = columns
-        .j(Formula::default().symbols("J =", "J ="))
-        .symbols(",   bias =", ", \\quad \\mathrm{bias} =")
-        .vector(&columns.problem.bias);
-    section.formula(numbers.unit(units.of_w()));
+    if !is_known {
+        let numbers = columns
+            .j(Formula::default().symbols("J =", "J ="))
+            .symbols(",   bias =", ", \\quad \\mathrm{bias} =")
+            .vector(&columns.problem.bias);
+        section.formula(numbers.unit(units.of_w()));
+    }
 }
 
 /// Step 3: the motion substituted into the constraint.

@@ -4,6 +4,7 @@ use super::columns::Columns;
 use super::{effort, moved, target};
 use crate::explain::step_units::of_motion;
 use lcplab_mechanics::formulation::{Problem, Stage};
+use lcplab_page::document::notation::settled;
 use lcplab_page::document::{Formula, Section};
 
 /// The motion that results from an answer.
@@ -14,10 +15,13 @@ pub(in crate::explain) fn motion(problem: &Problem, x: &[f64], dt: f64) -> Secti
         [moved(problem.stage), target(problem.stage)];
     let target_numbers = columns.pick(&problem.target);
     let motion = columns.pick(&problem.motion(x));
-    let next = problem.next_velocity(x, dt);
     let change: Vec<f64> = motion.iter().zip(&target_numbers).map(|(m, t)| m - t).collect();
+    let sizes: Vec<f64> = target_numbers.iter().map(|t| t.abs()).collect();
+    let motion = settled(&motion, &sizes);
+    let u = columns.pick(&problem.assembly.u);
+    let sizes: Vec<f64> = u.iter().zip(&sizes).map(|(u, size)| u.abs() + dt * size).collect();
+    let next = settled(&columns.pick(&problem.next_velocity(x, dt)), &sizes);
     let x = effort(problem);
-    section.say("For the columns of J that are not 0, the new motion of the bodies is");
     let formula = Formula::default()
         .symbols(
             &format!("{moved} = {target} + M⁻¹Jᵀ {x} ="),
@@ -32,13 +36,13 @@ pub(in crate::explain) fn motion(problem: &Problem, x: &[f64], dt: f64) -> Secti
     if problem.stage == Stage::Acceleration {
         let formula = Formula::default()
             .symbols("u + dt u' =", "u + dt\\, u' =")
-            .vector(&columns.pick(&problem.assembly.u))
+            .vector(&u)
             .symbols("+", "+")
             .number(dt)
             .symbols("s ·", "\\,\\mathrm{s} \\cdot")
             .vector(&motion)
             .symbols("=", "=")
-            .vector(&columns.pick(&next));
+            .vector(&next);
         section.formula(formula.unit(of_motion(Stage::Velocity, columns.is_angular)));
     }
     section

@@ -15,14 +15,13 @@ pub(super) fn lcp(
     units: &Units,
 ) {
     let problem = columns.problem;
-    section.say("4. The factor of x is A, and the rest is b.");
+    section.say("4. The factor of x is A, and the rest is b: w = A x + b.");
     if problem.stage == Stage::Velocity {
         section.say(
             "Figure 4 of K&M (Kenwright & Morgan) prints b with the opposite sign, which would double the velocity of \
              the body instead of stopping it (`lcplab chapter E22`).",
         );
     }
-    section.formula(Formula::default().symbols("w = A x + b", "w = A x + b"));
     let own = &problem.lcp;
     let softened = problem.compliance.iter().any(|&compliance| compliance != 0.0);
     let (name, latex) = match (softened, problem.slides.is_empty()) {
@@ -39,6 +38,13 @@ pub(super) fn lcp(
         section.say("S appears on one side only, so A is not symmetric.");
     }
     section.formula(matrix(own, Formula::default().symbols(name, latex)).unit(units.of_matrix()));
+    right_side(section, columns, units);
+    bounds(section, own, posing.is_some(), units);
+}
+
+/// b, from the motion without constraints and the bias.
+pub(super) fn right_side(section: &mut Section, columns: &Columns, units: &Units) {
+    let problem = columns.problem;
     let (target, target_latex) = target(problem.stage);
     let formula = Formula::default()
         .symbols(
@@ -49,7 +55,6 @@ pub(super) fn lcp(
         .symbols("+", "+")
         .vector(&problem.bias)
         .symbols("=", "=")
-        .vector(own.b());
+        .vector(problem.lcp.b());
     section.formula(formula.unit(units.of_w()));
-    bounds(section, own, posing.is_some(), units);
 }

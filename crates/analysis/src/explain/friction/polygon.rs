@@ -5,7 +5,7 @@ use crate::explain::answer::{self, Reading};
 use crate::explain::refutation;
 use crate::explain::solve::Solved;
 use crate::explain::statement;
-use crate::explain::units::{Units, with_unit};
+use crate::explain::units::with_unit;
 use lcplab_judge::judge_friction;
 use lcplab_lcp::error::Result;
 use lcplab_lcp::friction::{Polyhedral, ProblemForm};
@@ -21,7 +21,7 @@ pub(in crate::explain) fn polygons(
     polygons: &Polyhedral,
 ) -> Result<bool> {
     let own = answered.answer;
-    let reading = reading(polygons, &answered.rows.units);
+    let reading = reading(polygons, &answered.rows);
     answered.add(document, law(polygons, &reading));
     answered.add(document, statement::statement(reading.lcp, &reading.units));
     let start = answered.start.map(|x| polygons.z(x));
@@ -91,7 +91,8 @@ fn law(polygons: &Polyhedral, reading: &Reading) -> Section {
 
 /// The LCP with the meaning of its unknowns: those of other rows, x_n, β and γ of each contact.
 /// `units` are those of the rows.
-fn reading<'a>(polygons: &'a Polyhedral, units: &Units) -> Reading<'a> {
+fn reading<'a>(polygons: &'a Polyhedral, rows: &Reading) -> Reading<'a> {
+    let is_again = rows.is_again;
     let friction = polygons.friction();
     let k = polygons.directions();
     let rubbing = || friction.contacts().iter().filter(|contact| contact.mu > 0.0);
@@ -104,8 +105,11 @@ fn reading<'a>(polygons: &'a Polyhedral, units: &Units) -> Reading<'a> {
     let gammas = rubbing().map(|contact| format!("γ of row {}", contact.rows[0]));
     let labels: Vec<String> = others.chain(normals).chain(betas).chain(gammas).collect();
     let speeds = labels.len() - rubbing().count()..labels.len();
-    let rows: Vec<usize> = (0..labels.len()).map(|unknown| polygons.row(unknown)).collect();
-    Reading { lcp: polygons.lcp(), labels, units: units.of_polygons(&rows, speeds) }
+    let units = {
+        let of: Vec<usize> = (0..labels.len()).map(|unknown| polygons.row(unknown)).collect();
+        rows.units.of_polygons(&of, speeds)
+    };
+    Reading { lcp: polygons.lcp(), labels, units, is_again }
 }
 
 /// x = D β, and the judge's verdict on it.

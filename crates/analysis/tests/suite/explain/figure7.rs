@@ -10,10 +10,10 @@ fn figure_7_at_velocity_level_by_sweeps() {
     let document = explained("fig7", Scheme::Velocity, "pgs");
     let text = sections(&document, &["constraints", "Newton", "row by row"]);
     insta::assert_snapshot!(text, @r"
-    3 Step 1, velocity: constraints
+    Constraints
     c is the gap of a contact or the position error of a joint, J u its rate, and J'u, with J' =
     dJ/dt, the part of its second derivative that the velocities alone cause.
-      Step 1, velocity: the rows
+      Impulses, the rows
         row   constraint               c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
           0   normal ground bottom 0       0           0            0            0   [0, ∞)
           1   normal bottom middle 0       0          −1            0            0   [0, ∞)
@@ -22,7 +22,7 @@ fn figure_7_at_velocity_level_by_sweeps() {
     and a gap c > 0 of a contact by 1/dt, so that the gap can close within the step but not become
     an overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
-    4 Step 1, velocity: from Newton's law to the LCP
+    From Newton's law to the LCP
     15 of the 18 columns of J are 0 and are not shown. The other columns are v_z of bottom, v_z of
     middle, v_z of top.
     1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
@@ -48,59 +48,54 @@ fn figure_7_at_velocity_level_by_sweeps() {
                ⎡  1   0  0 ⎤ ⎡ −1 ⎤   ⎡ −1 ⎤
         J u* = ⎢ −1   1  0 ⎥ ⎢ −2 ⎥ = ⎢ −1 ⎥   m/s
                ⎣  0  −1  1 ⎦ ⎣ −1 ⎦   ⎣  1 ⎦
-    4. The factor of x is A, and the rest is b.
+    4. The factor of x is A, and the rest is b: w = A x + b.
     Figure 4 of K&M (Kenwright & Morgan) prints b with the opposite sign, which would double the
     velocity of the body instead of stopping it (`lcplab chapter E22`).
-        w = A x + b
                       ⎡  1  −1   0 ⎤
         A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
                       ⎣  0  −1   2 ⎦
                           ⎡ −1 ⎤   ⎡ 0 ⎤   ⎡ −1 ⎤
         b = J u* + bias = ⎢ −1 ⎥ + ⎢ 0 ⎥ = ⎢ −1 ⎥   m/s
                           ⎣  1 ⎦   ⎣ 0 ⎦   ⎣  1 ⎦
-    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
-    one.
-             ⎡ 0 ⎤       ⎡ ∞ ⎤
-        lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   N s
-             ⎣ 0 ⎦       ⎣ ∞ ⎦
+    Every x ≥ 0 and w ≥ 0, and w > 0 only if x = 0.
 
-    5 Step 1, velocity: projected Gauss-Seidel, row by row
+    Projected Gauss-Seidel, row by row
     A sweep updates one row after another, always with the newest x. It sums the w of the row,
     divides it by the diagonal entry, and subtracts the result from x. Then it clamps x to its
     bounds, before the next row.
         xᵢ ← Πᵢ( xᵢ − ω wᵢ / aᵢᵢ ),   wᵢ = Σⱼ aᵢⱼ xⱼ + bᵢ
     The start is x = (0, 0, 0) N s.
-      Step 1, velocity: sweep 1
+      Impulses, sweep 1
         row   the sum w (m/s)             divided by a (N s)   x moved (N s)   clamped (N s)
           0   1·0 − 1·0 − 1 = −1          −1/1 = −1            0 − (−1) = 1    to [0, ∞): 1
           1   −1·1 + 2·0 − 1·0 − 1 = −2   −2/2 = −1            0 − (−1) = 1    to [0, ∞): 1
           2   −1·1 + 2·0 + 1 = 0          0/2 = 0              0 − 0 = 0       to [0, ∞): 0
     After sweep 1: x = (1, 1, 0) N s.
-      Step 1, velocity: sweep 2
+      Impulses, sweep 2
         row   the sum w (m/s)             divided by a (N s)   x moved (N s)        clamped (N s)
           0   1·1 − 1·1 − 1 = −1          −1/1 = −1            1 − (−1) = 2         to [0, ∞): 2
           1   −1·2 + 2·1 − 1·0 − 1 = −1   −1/2 = −0.5          1 − (−0.5) = 1.5     to [0, ∞): 1.5
           2   −1·1.5 + 2·0 + 1 = −0.5     −0.5/2 = −0.25       0 − (−0.25) = 0.25   to [0, ∞): 0.25
     After sweep 2: x = (2, 1.5, 0.25) N s.
-      Step 1, velocity: sweep 3
+      Impulses, sweep 3
         row   the sum w (m/s)                       divided by a (N s)   x moved (N s)               clamped (N s)
           0   1·2 − 1·1.5 − 1 = −0.5                −0.5/1 = −0.5        2 − (−0.5) = 2.5            to [0, ∞): 2.5
           1   −1·2.5 + 2·1.5 − 1·0.25 − 1 = −0.75   −0.75/2 = −0.375     1.5 − (−0.375) = 1.875      to [0, ∞): 1.875
           2   −1·1.875 + 2·0.25 + 1 = −0.375        −0.375/2 = −0.1875   0.25 − (−0.1875) = 0.4375   to [0, ∞): 0.4375
     After sweep 3: x = (2.5, 1.875, 0.4375) N s.
-      Step 1, velocity: how x and its residual change over the sweeps
+      Impulses, how x and its residual change over the sweeps
         sweep   x (N s)                        max |x − Π(x − w)|   factor
             0   (0, 0, 0)                                       1
-            1   (1, 1, 0)                                       1   1
-            2   (2, 1.5, 0.25)                                0.5   0.5
-            3   (2.5, 1.875, 0.4375)                        0.375   0.75
-            4   (2.875, 2.15625, 0.578125)                0.28125   0.75
-            5   (3.15625, 2.36719, 0.683594)             0.210938   0.75
-            6   (3.36719, 2.52539, 0.762695)             0.158203   0.75
-            7   (3.52539, 2.64404, 0.822021)             0.118652   0.75
-            8   (3.64404, 2.73303, 0.866516)            0.0889893   0.75
-            9   (3.73303, 2.79977, 0.899887)            0.0667419   0.75
-           10   (3.79977, 2.84983, 0.924915)            0.0500565   0.75
+            1   (1, 1, 0)                                       1        1
+            2   (2, 1.5, 0.25)                                0.5      0.5
+            3   (2.5, 1.875, 0.4375)                        0.375     0.75
+            4   (2.875, 2.15625, 0.578125)                0.28125     0.75
+            5   (3.15625, 2.36719, 0.683594)             0.210938     0.75
+            6   (3.36719, 2.52539, 0.762695)             0.158203     0.75
+            7   (3.52539, 2.64404, 0.822021)             0.118652     0.75
+            8   (3.64404, 2.73303, 0.866516)            0.0889893     0.75
+            9   (3.73303, 2.79977, 0.899887)            0.0667419     0.75
+           10   (3.79977, 2.84983, 0.924915)            0.0500565     0.75
            57   (4, 3, 1)                            6.71954×10⁻⁸
     pgs ends after 57 iterations with x = (4, 3, 1) N s: solved.
     ");
@@ -112,7 +107,7 @@ fn figure_7_by_the_moves_of_dantzig() {
     let document = explained("fig7", Scheme::Velocity, "dantzig");
     let text = sections(&document, &["move by move", "answer", "motion", "after"]);
     insta::assert_snapshot!(text, @r"
-    5 Step 1, velocity: Dantzig's method, move by move
+    Dantzig's method, move by move
     Dantzig's method satisfies the rows one after another. To bring wₖ to 0, it changes xₖ, and the
     free rows F change with it so that their w stays 0. The move ends when wₖ is 0, when some x
     reaches a bound, or when the w of a row at a bound reaches 0. The row that ends it enters or
@@ -125,7 +120,7 @@ fn figure_7_by_the_moves_of_dantzig() {
             ⎡ 1 ⎤          ⎡ 1 ⎤
         d = ⎢ 0 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 0 ⎦          ⎣ 0 ⎦
-      Step 1, velocity: move 1, lengths at which it may end
+      Impulses, move 1, lengths at which it may end
         what           t (N s)
         w₀ reaches 0   1/1 = 1
     The move ends at t = 1 N s: row 0 enters F.
@@ -135,7 +130,7 @@ fn figure_7_by_the_moves_of_dantzig() {
             ⎡ 1 ⎤          ⎡ 0 ⎤
         d = ⎢ 1 ⎥ ,   Δw = ⎢ 1 ⎥
             ⎣ 0 ⎦          ⎣ 0 ⎦
-      Step 1, velocity: move 2, lengths at which it may end
+      Impulses, move 2, lengths at which it may end
         what           t (N s)
         w₁ reaches 0   2/1 = 2
     The move ends at t = 2 N s: row 1 enters F.
@@ -145,15 +140,15 @@ fn figure_7_by_the_moves_of_dantzig() {
             ⎡ 1 ⎤          ⎡ 0 ⎤
         d = ⎢ 1 ⎥ ,   Δw = ⎢ 0 ⎥
             ⎣ 1 ⎦          ⎣ 1 ⎦
-      Step 1, velocity: move 3, lengths at which it may end
+      Impulses, move 3, lengths at which it may end
         what           t (N s)
         w₂ reaches 0   1/1 = 1
     The move ends at t = 1 N s: row 2 enters F.
     Now x = (4, 3, 1) N s.
     dantzig ends after 3 iterations with x = (4, 3, 1) N s: solved.
 
-    6 Step 1, velocity: the answer
-      Step 1, velocity: x and w, row by row
+    The answer
+      Impulses, x and w, row by row
         row                        x            bounds   w = A x + b   condition on w, up to the tolerance
         0 normal ground bottom 0   x₀ = 4 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
         1 normal bottom middle 0   x₁ = 3 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
@@ -162,22 +157,19 @@ fn figure_7_by_the_moves_of_dantzig() {
     solution. The scaled residual, which is the error of the worst row relative to the size of its
     terms, is 0.
 
-    7 Step 1, velocity: the new motion
-    For the columns of J that are not 0, the new motion of the bodies is
+    The new motion
                             ⎡ −1 ⎤   ⎡ 1 ⎤   ⎡ 0 ⎤
         u⁺ = u* + M⁻¹Jᵀ x = ⎢ −2 ⎥ + ⎢ 2 ⎥ = ⎢ 0 ⎥   m/s
                             ⎣ −1 ⎦   ⎣ 1 ⎦   ⎣ 0 ⎦
 
-    8 Step 1: the states after the step
+    3 The states after the step
     The bodies move with their new velocities, s⁺ = s + dt S u⁺ (S turns velocities into rates of
     positions and quaternions).
-      Step 1: the bodies after
-        body     p (m)         q              v (m/s)     ω (rad/s)
-        ground   (0, 0, 0)     —              —           —
-        bottom   (0, 0, 0.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
-        middle   (0, 0, 1.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
-        top      (0, 0, 2.5)   (1, 0, 0, 0)   (0, 0, 0)   (0, 0, 0)
-    Fixed bodies (M⁻¹ = 0; they have no columns in J): ground.
+      The moving bodies after the step
+        body     p (m)         v (m/s)
+        bottom   (0, 0, 0.5)   (0, 0, 0)
+        middle   (0, 0, 1.5)   (0, 0, 0)
+        top      (0, 0, 2.5)   (0, 0, 0)
     ");
 }
 
@@ -188,35 +180,36 @@ fn figure_7_by_the_pivots_of_lemke() {
     let document = explained("fig7", Scheme::Velocity, "lemke");
     let text = sections(&document, &["tableau by tableau"]);
     insta::assert_snapshot!(text, @r"
-    5 Step 1, velocity: Lemke's method, tableau by tableau
+    Lemke's method, tableau by tableau
     A covering variable z makes every w nonnegative. A tableau expresses the basic variables in
     terms of the nonbasic ones, which are 0, so its first column has the values of the basic
     variables. z enters first and increases until no w is negative, which is the largest ratio.
     After that, the complement of the variable that has just left enters and increases until the
-    first basic variable reaches 0, which is the smallest ratio. When z leaves, x is a solution.
-    Ties are broken lexicographically.
+    first basic variable reaches 0, which is the smallest ratio. When z leaves, x is a solution. The
+    pivot is in brackets, and ← marks the row of the leaving variable. Ties are broken
+    lexicographically.
         w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0
-      Step 1, velocity: tableau 1: z enters, w₁ leaves
-        basic   value   unit   x₀   x₁   x₂   z   ratio
-        w₀         −1   m/s     1   −1    0   1   1/1 = 1
-        w₁         −1   m/s    −1    2   −1   1   1/1 = 1 ←
-        w₂          1   m/s     0   −1    2   1   −1/1 = −1
-      Step 1, velocity: tableau 2: x₁ enters, w₀ leaves
-        basic   value   unit   x₀   x₁   x₂   w₁   ratio
-        w₀          0   m/s     2   −3    1    1   0/3 = 0 ←
-        z           1   m/s     1   −2    1    1   1/2 = 0.5
-        w₂          2   m/s     1   −3    3    1   2/3 = 0.666667
-      Step 1, velocity: tableau 3: x₀ enters, w₂ leaves
-        basic   value   unit          x₀          w₀         x₂         w₁   ratio
-        x₁          0   N s     0.666667   −0.333333   0.333333   0.333333
-        z           1   m/s    −0.333333    0.666667   0.333333   0.333333   1/0.333333 = 3
-        w₂          2   m/s           −1           1          2          0   2/1 = 2 ←
-      Step 1, velocity: tableau 4: x₂ enters, z leaves
-        basic      value   unit          w₂         w₀          x₂         w₁   ratio
-        x₁       1.33333   N s    −0.666667   0.333333     1.66667   0.333333
-        z       0.333333   m/s     0.333333   0.333333   −0.333333   0.333333   0.333333/0.333333 = 1 ←
-        x₀             2   N s           −1          1           2          0
-      Step 1, velocity: tableau 5: z is 0: solved
+      Impulses, tableau 1: z enters, w₁ leaves
+        basic   value   unit   x₀   x₁   x₂     z   ratio
+        w₀         −1   m/s     1   −1    0     1   1/1 = 1
+        w₁         −1   m/s    −1    2   −1   [1]   1/1 = 1 ←
+        w₂          1   m/s     0   −1    2     1   −1/1 = −1
+      Impulses, tableau 2: x₁ enters, w₀ leaves
+        basic   value   unit   x₀     x₁   x₂   w₁   ratio
+        w₀          0   m/s     2   [−3]    1    1   0/3 = 0 ←
+        z           1   m/s     1     −2    1    1   1/2 = 0.5
+        w₂          2   m/s     1     −3    3    1   2/3 = 2/3
+      Impulses, tableau 3: x₀ enters, w₂ leaves
+        basic   value   unit     x₀     w₀    x₂    w₁   ratio
+        x₁          0   N s     2/3   −1/3   1/3   1/3
+        z           1   m/s    −1/3    2/3   1/3   1/3   1/(1/3) = 3
+        w₂          2   m/s    [−1]      1     2     0   2/1 = 2 ←
+      Impulses, tableau 4: x₂ enters, z leaves
+        basic   value   unit     w₂    w₀       x₂    w₁   ratio
+        x₁        4/3   N s    −2/3   1/3      5/3   1/3
+        z         1/3   m/s     1/3   1/3   [−1/3]   1/3   (1/3)/(1/3) = 1 ←
+        x₀          2   N s      −1     1        2     0
+      Impulses, tableau 5: z is 0: solved
         basic   value   unit   w₂   w₀    z   w₁   ratio
         x₁          3   N s     1    2   −5    2
         x₂          1   N s     1    1   −3    1
@@ -230,9 +223,9 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
     // The impact stops the middle body, x = (1, 1, 0); then each row supports the weight above, (3,
     // 2, 1) N.
     let document = explained("fig7", Scheme::Acceleration, "dantzig");
-    let text = sections(&document, &["Newton", "answer", "motion"]);
+    let text = sections(&document, &["forces: constraints", "Newton", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
-    4 Step 1, impact: from Newton's law to the LCP
+    From Newton's law to the LCP
     15 of the 18 columns of J are 0 and are not shown. The other columns are v_z of bottom, v_z of
     middle, v_z of top.
     1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
@@ -258,22 +251,17 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
                ⎡  1   0  0 ⎤ ⎡  0 ⎤   ⎡  0 ⎤
         J u* = ⎢ −1   1  0 ⎥ ⎢ −1 ⎥ = ⎢ −1 ⎥   m/s
                ⎣  0  −1  1 ⎦ ⎣  0 ⎦   ⎣  1 ⎦
-    4. The factor of x is A, and the rest is b.
-        w = A x + b
+    4. The factor of x is A, and the rest is b: w = A x + b.
                       ⎡  1  −1   0 ⎤
         A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
                       ⎣  0  −1   2 ⎦
                           ⎡  0 ⎤   ⎡ 0 ⎤   ⎡  0 ⎤
         b = J u* + bias = ⎢ −1 ⎥ + ⎢ 0 ⎥ = ⎢ −1 ⎥   m/s
                           ⎣  1 ⎦   ⎣ 0 ⎦   ⎣  1 ⎦
-    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
-    one.
-             ⎡ 0 ⎤       ⎡ ∞ ⎤
-        lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   N s
-             ⎣ 0 ⎦       ⎣ ∞ ⎦
+    Every x ≥ 0 and w ≥ 0, and w > 0 only if x = 0.
 
-    6 Step 1, impact: the answer
-      Step 1, impact: x and w, row by row
+    The answer
+      Impact, x and w, row by row
         row                        x            bounds   w = A x + b   condition on w, up to the tolerance
         0 normal ground bottom 0   x₀ = 1 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
         1 normal bottom middle 0   x₁ = 1 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
@@ -282,54 +270,31 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
     solution. The scaled residual, which is the error of the worst row relative to the size of its
     terms, is 0.
 
-    7 Step 1, impact: the new motion
-    For the columns of J that are not 0, the new motion of the bodies is
+    The new motion
                             ⎡  0 ⎤   ⎡ 0 ⎤   ⎡ 0 ⎤
         u⁺ = u* + M⁻¹Jᵀ x = ⎢ −1 ⎥ + ⎢ 1 ⎥ = ⎢ 0 ⎥   m/s
                             ⎣  0 ⎦   ⎣ 0 ⎦   ⎣ 0 ⎦
 
-    10 Step 1, acceleration: from Newton's law to the LCP
-    15 of the 18 columns of J are 0 and are not shown. The other columns are v_z of bottom, v_z of
-    middle, v_z of top.
+    Constraints
+    c, J u, J'u and the bias of every row are now 0.
+
+    From Newton's law to the LCP
+    J, M⁻¹ and A are those of the impact above.
     1. Newton's law. Without constraints the accelerations would be a*. The forces x of the rows act
     along Jᵀ and change them.
         u' = a* + M⁻¹Jᵀ x,   a* = M⁻¹F
              ⎡ −1 ⎤
         a* = ⎢ −1 ⎥   m/s²
              ⎣ −1 ⎦
-              ⎡ 1  0  0 ⎤
-        M⁻¹ = ⎢ 0  1  0 ⎥   1/kg
-              ⎣ 0  0  1 ⎦
     2. Every row is a condition on the accelerations u': w is J u' plus the bias. A contact requires
     w ≥ 0 and pushes only if w = 0.
         w = J u' + bias
-            ⎡  1   0  0 ⎤            ⎡ 0 ⎤
-        J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s²
-            ⎣  0  −1  1 ⎦            ⎣ 0 ⎦
-    3. Equation 1 is substituted into equation 2.
-        w = J (a* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J a* + bias
-                  ⎡  1   0  0 ⎤ ⎡ 1  0  0 ⎤ ⎡ 1  −1   0 ⎤
-        J M⁻¹Jᵀ = ⎢ −1   1  0 ⎥ ⎢ 0  1  0 ⎥ ⎢ 0   1  −1 ⎥
-                  ⎣  0  −1  1 ⎦ ⎣ 0  0  1 ⎦ ⎣ 0   0   1 ⎦
-               ⎡  1   0  0 ⎤ ⎡ −1 ⎤   ⎡ −1 ⎤
-        J a* = ⎢ −1   1  0 ⎥ ⎢ −1 ⎥ = ⎢  0 ⎥   m/s²
-               ⎣  0  −1  1 ⎦ ⎣ −1 ⎦   ⎣  0 ⎦
-    4. The factor of x is A, and the rest is b.
-        w = A x + b
-                      ⎡  1  −1   0 ⎤
-        A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
-                      ⎣  0  −1   2 ⎦
                           ⎡ −1 ⎤   ⎡ 0 ⎤   ⎡ −1 ⎤
         b = J a* + bias = ⎢  0 ⎥ + ⎢ 0 ⎥ = ⎢  0 ⎥   m/s²
                           ⎣  0 ⎦   ⎣ 0 ⎦   ⎣  0 ⎦
-    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
-    one.
-             ⎡ 0 ⎤       ⎡ ∞ ⎤
-        lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   N
-             ⎣ 0 ⎦       ⎣ ∞ ⎦
 
-    12 Step 1, acceleration: the answer
-      Step 1, acceleration: x and w, row by row
+    The answer
+      Forces, x and w, row by row
         row                        x          bounds   w = A x + b   condition on w, up to the tolerance
         0 normal ground bottom 0   x₀ = 3 N   [0, ∞)   w₀ = 0 m/s²   w = 0: x is between its bounds
         1 normal bottom middle 0   x₁ = 2 N   [0, ∞)   w₁ = 0 m/s²   w = 0: x is between its bounds
@@ -338,8 +303,7 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
     solution. The scaled residual, which is the error of the worst row relative to the size of its
     terms, is 0.
 
-    13 Step 1, acceleration: the new motion
-    For the columns of J that are not 0, the new motion of the bodies is
+    The new motion
                             ⎡ −1 ⎤   ⎡ 1 ⎤   ⎡ 0 ⎤
         u' = a* + M⁻¹Jᵀ x = ⎢ −1 ⎥ + ⎢ 1 ⎥ = ⎢ 0 ⎥   m/s²
                             ⎣ −1 ⎦   ⎣ 1 ⎦   ⎣ 0 ⎦

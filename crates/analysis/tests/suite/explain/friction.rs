@@ -21,9 +21,9 @@ fn polygons_are_the_lcp_of_stewart_and_trinkle_solved_by_lemke() {
     // opposite ones, 0 across; then ones for γ, and μ = 0.5 with −Eᵀ below.
     let document = modelled("sphere_plane", Model::Polyhedral { directions: 4 }, 1);
     assert!(document.is_accepted);
-    let text = sections(&document, &["velocity: the LCP"]);
+    let text = sections(&document, &["impulses: the LCP"]);
     insta::assert_snapshot!(text, @r"
-    6 Step 1, velocity: the LCP
+    The LCP
         w = A x + b
             ⎡   1     0     0     0     0  0 ⎤
             ⎢   0   3.5     0  −3.5     0  1 ⎥
@@ -37,14 +37,7 @@ fn polygons_are_the_lcp_of_stewart_and_trinkle_solved_by_lemke() {
             ⎢       0 ⎥
             ⎢       0 ⎥
             ⎣       0 ⎦
-    x stays within its bounds; w > 0 only if x is at the lower one, w < 0 only if x is at the upper
-    one.
-             ⎡ 0 ⎤       ⎡ ∞ ⎤
-             ⎢ 0 ⎥       ⎢ ∞ ⎥
-        lo = ⎢ 0 ⎥ ≤ x ≤ ⎢ ∞ ⎥ = hi   units row by row
-             ⎢ 0 ⎥       ⎢ ∞ ⎥
-             ⎢ 0 ⎥       ⎢ ∞ ⎥
-             ⎣ 0 ⎦       ⎣ ∞ ⎦
+    Every x ≥ 0 and w ≥ 0, and w > 0 only if x = 0.
     ");
     let text = document.written(Format::Text).unwrap();
     for part in ["γ of row 0", "Lemke's method, tableau by tableau", "x_t = D β", "0.0981 N s"] {
@@ -73,7 +66,7 @@ fn cones_are_stated_and_the_box_stands_beside_them() {
         for part in [
             law,
             "cone, μ = 0.5, on row 0",
-            "the coupled box for comparison, by Dantzig's",
+            "The coupled box for comparison, by Dantzig's",
             "both answers",
         ] {
             assert!(text.contains(part), "{part} in {text}");
@@ -88,9 +81,9 @@ fn a_frozen_box_has_the_bounds_of_the_step_before() {
     // each of its four contacts; in the first step the normal forces are unknown, and there is no
     // friction.
     let document = modelled("incline", Model::FrozenBox, 2);
-    let first = sections(&document, &["Step 1, velocity: friction in a frozen box"]);
+    let first = sections(&document, &["Step 1, impulses: friction in a frozen box"]);
     assert_eq!(first.matches("= 0 N s   [0, 0] N s").count(), 8, "{first}");
-    let second = sections(&document, &["Step 2, velocity: friction in a frozen box"]);
+    let second = sections(&document, &["Step 2, impulses: friction in a frozen box"]);
     let quarter = "0.0460919 N s   [−0.0138276, 0.0138276] N s";
     assert_eq!(second.matches(quarter).count(), 8, "{second}");
 }

@@ -23,14 +23,25 @@ fn question(problem: &Problem) -> Question {
     Question::new(problem, None, "problem").unwrap()
 }
 
-/// The sections with these words in their titles, as text.
+/// The sections and parts with these words in their titles, as text; a part's title begins with
+/// that of its section: `Impact: The answer`.
 fn sections(document: &Document, titles: &[&str]) -> String {
     let text = document.written(Format::Text).unwrap();
-    let is_wanted = |section: &&str| {
-        let title = section.lines().next().unwrap_or_default();
-        titles.iter().any(|wanted| title.contains(wanted))
-    };
-    text.trim_end().split("\n\n").filter(is_wanted).collect::<Vec<_>>().join("\n\n")
+    let (mut section, mut wanted) = (String::new(), Vec::new());
+    for part in text.trim_end().split("\n\n").skip(1) {
+        let title = part.lines().next().unwrap_or_default();
+        let title = match title.split_once(' ') {
+            Some((number, title)) if number.parse::<usize>().is_ok() => {
+                section = title.to_string();
+                section.clone()
+            }
+            _ => format!("{section}: {title}"),
+        };
+        if titles.iter().any(|wanted| title.to_lowercase().contains(&wanted.to_lowercase())) {
+            wanted.push(part);
+        }
+    }
+    wanted.join("\n\n")
 }
 
 /// One section with one formula, as Markdown.
@@ -90,7 +101,7 @@ fn every_shipped_scene_is_explained_in_every_form_or_says_why_not() {
 fn a_later_step_starts_where_the_one_before_ended() {
     let scene = Scene::load("fig7").unwrap();
     let document = step(&scene, &Method::named("pgs").unwrap(), 2).unwrap();
-    let text = sections(&document, &["Step 2, velocity: projected"]);
+    let text = sections(&document, &["Step 2, impulses: projected"]);
     assert!(text.contains("The start is x = (4, 3, 1) N s."), "{text}"); // the impulses of step 1
     // Each x is the weight above the contact.
     assert!(text.contains("with x = (3, 2, 1) N s: solved."), "{text}");
