@@ -37,7 +37,7 @@ pub use show::show;
 pub use table::{Entry, row, table};
 pub use twin::{ARRAYS, ENGINE};
 
-use crate::chapter::exhibit;
+use crate::chapter::exhibit::{self, Exhibit, Severity};
 use crate::error::{Error, Result};
 use crate::report::page::markup::literal;
 use template::Template;
@@ -116,7 +116,7 @@ impl Program {
     }
 }
 
-/// The prose with its quotations: values by name, errata by number as margin notes, the problem
+/// The prose with its quotations: values by name, errata by number as notes, the problem
 /// set.
 fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
     let mut pieces = prose.split("{{");
@@ -129,6 +129,7 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
                 let printed: Result<Vec<_>> = problems.iter().map(Template::printed).collect();
                 Some(problem::markdown(&printed?))
             }
+            "wrong errata" => Some(wrong(program)),
             name => record.values.get(name).cloned().or_else(|| note(name)),
         };
         out += &value.ok_or_else(|| {
@@ -137,6 +138,25 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
         out += rest;
     }
     Ok(out)
+}
+
+/// The errata that lead to a wrong result, as a table: each with its section, place and correction.
+fn wrong(program: &Program) -> String {
+    let errata = exhibit::all().iter().filter(|own| own.severity == Severity::Wrong);
+    let row = |own: &Exhibit| {
+        let (before, _) = program.text.split_once(&format!("{{{{{}}}}}", own.id))?;
+        let section = before.matches("\n## ").count();
+        // A bar ends a cell.
+        let parts = own.holds.split('$').enumerate();
+        let correct = parts.map(|(k, part)| match k % 2 {
+            0 => part.replace('|', "\\|"),
+            _ => part.replace('|', "\\vert "),
+        });
+        let correct = correct.collect::<Vec<_>>().join("$");
+        Some(format!("| [{}](#part-{section}) | {} | {correct} |\n", own.id, literal(&own.place)))
+    };
+    let rows: String = errata.filter_map(row).collect();
+    format!("| no. | place | correct |\n| --- | --- | --- |\n{rows}")
 }
 
 /// An erratum as a quotation.
