@@ -108,7 +108,7 @@ fn a_box_around_x_proves_the_contact_or_the_page_says_why_not() {
         (0, "points of the other state, which is 0.05 m/s"),
         (7, "the contact is open. The block leaves the floor at 0.5 m/s"),
         (7, "already a point"),
-        (0, "X is too wide. It also contains x_n ≤ 0"),
+        (0, "X is too wide. It also contains xₙ ≤ 0"),
     ];
     for (shown, (green, says)) in found.as_array().unwrap().iter().zip(expected) {
         assert_eq!(shown[0], green, "{says}: {found}");
@@ -195,7 +195,7 @@ fn a_rod_has_the_answers_that_its_region_of_the_map_says() {
 
 #[test]
 fn a_rod_that_no_force_holds_is_stopped_in_its_first_step() {
-    let script = "set('#step', 1); const caught = find('#slip').textContent; set('#mu', 0.5); set('#step', 1); return [caught, find('#slip').textContent];";
+    let script = "set('#mu', 1.5); set('#step', 1); const caught = find('#slip').textContent; set('#mu', 0.5); set('#step', 1); return [caught, find('#slip').textContent];";
     let found = page("painleve").seen(1280, &format!("{READY}{script}"));
     let slip = |k: usize| -> f64 {
         let text = found[k].as_str().unwrap().replace('−', "-").replace("×10⁻⁴", "e-4");

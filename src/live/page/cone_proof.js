@@ -5,9 +5,9 @@ const UNITS = { press: " N s", mu: "", angle: "°", size: " N s", distance: " N 
 const SCALE = 95, REACH = 120; // px per N s, and most px per half-width of X
 const NAMES = { open: "open", sticks: "sticking", slides: "sliding" };
 const CONDITIONS = {
-  open: ["x = 0", "w_n ≥ 0"],
-  sticks: ["w_n = w_t1 = w_t2 = 0", "|x_t| ≤ μ x_n"],
-  slides: ["w_n = 0, |x_t|² = μ² x_n², x_t1 w_t2 = x_t2 w_t1", "x_n > 0, x_t·w_t ≤ 0"],
+  open: ["x = 0", "wₙ ≥ 0"],
+  sticks: ["wₙ = wₜ₁ = wₜ₂ = 0", "|xₜ| ≤ μ xₙ"],
+  slides: ["wₙ = 0, |xₜ|² = μ² xₙ², xₜ₁ wₜ₂ = xₜ₂ wₜ₁", "xₙ > 0, xₜ·wₜ ≤ 0"],
 };
 
 let state = USUAL, ask, found;
@@ -36,12 +36,12 @@ function verdict() {
   if (!reason && widest(image) === 0) return ["good", `${proved} The equations of this state are linear, so K(X) is already a point: the solution.`];
   if (!reason) return ["good", `${proved} Further images shrink to ±${short(widest(found.boxes.at(-1)))} N s.`];
   const not = `Not proved (the contact is ${NAMES[name]}):`;
-  if (!box) return ["bad", `${not} x is too far from the solution. Where x_t = 0, the friction has no direction and F′ has no inverse.`];
+  if (!box) return ["bad", `${not} x is too far from the solution. Where xₜ = 0, the friction has no direction and F′ has no inverse.`];
   const outside = rows(found.boxes).filter(({ r, shift, spread }) => shift + spread >= r);
   if (outside.some(({ r, shift, spread }) => 4 * spread / r * shift >= r)) return ["bad", `${not} x is too far from the solution. No box with equal sides around this x is mapped into itself.`];
   if (outside.some(({ r, spread }) => 2 * spread > r)) return ["bad", `${not} X is too wide. The equations bend too much over it, so K(X) reaches beyond X.`];
   if (outside.length > 0) return ["bad", `${not} x is too far from the solution for so narrow a box. K(X) is narrower than X, but not inside it.`];
-  if (box.radius[0] >= solution[0]) return ["bad", `${not} X is too wide. It also contains x_n ≤ 0, where the contact is open.`];
+  if (box.radius[0] >= solution[0]) return ["bad", `${not} X is too wide. It also contains xₙ ≤ 0, where the contact is open.`];
   const margin = name === "sticks" ? state.mu * solution[0] - Math.hypot(solution[1], solution[2]) : slip;
   if (margin === 0) return ["caution", "No box can prove this contact: it lies exactly between sticking and sliding, so every box around x also contains points of the other state. (Here x is a fraction, which lcplab proves directly.)"];
   return ["bad", `${not} X is too wide. K(X) lies inside X, but X also contains points of the other state, which is ${short(margin, 2)} ${name === "sticks" ? "N s" : "m/s of slip"} away.`];
@@ -62,7 +62,7 @@ function drawPlane() {
   const [wx, wy] = to(push()), [cx, cy] = to(found.x.slice(1)), r = Math.max(0, state.mu * found.solution[0]) * SCALE;
   let picture = svg("circle", { cx: 210, cy: 210, r, class: "allowed" }) + svg("circle", { cx: 210, cy: 210, r, class: "figure box" });
   picture += svg("line", { x1: 0, x2: 420, y1: 210, y2: 210, class: "axis" }) + svg("line", { x1: 210, x2: 210, y1: 0, y2: 420, class: "axis" });
-  picture += svg("text", { x: 414, y: 204, "text-anchor": "end" }, "x_t1 (N s)") + svg("text", { x: 216, y: 14 }, "x_t2 (N s)");
+  picture += svg("text", { x: 414, y: 204, "text-anchor": "end" }, "xₜ₁ (N s)") + svg("text", { x: 216, y: 14 }, "xₜ₂ (N s)");
   picture += svg("line", { x1: 210, y1: 210, x2: wx, y2: wy, class: "push slip" }) + svg("circle", { cx: wx, cy: wy, r: 11, class: "handle", id: "push" }, "<title>push</title>");
   picture += drawBoxes(found.boxes.slice(0, 2), to, SCALE) + svg("circle", { cx, cy, r: 4, class: "dot" });
   picture += svg("circle", { cx, cy, r: 7, fill: "none", "pointer-events": "all", style: "cursor: grab", id: "start" }, "<title>x</title>");
@@ -127,7 +127,7 @@ function drawWords([, sentence]) {
   const { state: name, x, boxes } = found, [equations, inequalities] = CONDITIONS[name];
   const row = (name, values) => name.padEnd(7) + values.map((value) => value.padEnd(11)).join("").trimEnd();
   const lines = [`state: ${NAMES[name]}`, `equations F = 0: ${equations}`, `inequalities everywhere in X: ${inequalities}`, `x = (${x.map((v) => short(v, 6)).join(", ")}) N s`];
-  if (name !== "open" && boxes.length > 0) lines.push("", "half-widths in N s", row("", ["x_n", "x_t1", "x_t2"]), ...boxes.map(({ radius }, k) => row(k === 0 ? "X" : k === 1 ? "K(X)" : `K${"²³⁴⁵⁶⁷"[k - 2]}(X)`, radius.map((r) => short(r, 3)))));
+  if (name !== "open" && boxes.length > 0) lines.push("", "half-widths in N s", row("", ["xₙ", "xₜ₁", "xₜ₂"]), ...boxes.map(({ radius }, k) => row(k === 0 ? "X" : k === 1 ? "K(X)" : `K${"²³⁴⁵⁶⁷"[k - 2]}(X)`, radius.map((r) => short(r, 3)))));
   find("#words").textContent = lines.join("\n");
   find("#says").textContent = sentence;
 }

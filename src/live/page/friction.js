@@ -21,7 +21,7 @@ function drawFigures() {
   const corners = (count, turn) => Array.from({ length: count }, (_, j) => toPlane([reach * Math.cos(2 * Math.PI * j / count + turn), reach * Math.sin(2 * Math.PI * j / count + turn)]).map((v) => v.toFixed(1)).join(",")).join(" ");
   const [ox, oy] = toPlane([0, 0]), radius = toPlane([reach, 0])[0] - ox;
   let picture = svg("line", { x1: 0, x2: 420, y1: oy, y2: oy, class: "axis" }) + svg("line", { x1: ox, x2: ox, y1: 0, y2: 420, class: "axis" });
-  picture += svg("text", { x: 346, y: oy - 6 }, "x_t1 (N s)") + svg("text", { x: ox + 6, y: 14 }, "x_t2 (N s)");
+  picture += svg("text", { x: 346, y: oy - 6 }, "xₜ₁ (N s)") + svg("text", { x: ox + 6, y: 14 }, "xₜ₂ (N s)");
   picture += svg("rect", { x: ox - radius, y: oy - radius, width: 2 * radius, height: 2 * radius, class: "figure box" });
   picture += svg("circle", { cx: ox, cy: oy, r: radius, class: "figure disk" });
   picture += svg("polygon", { points: corners(k, 0), class: "figure polygon" });
@@ -42,17 +42,21 @@ function drawFigures() {
 
 function drawFloor() {
   const far = state.mu > 0 ? SPEED ** 2 / (2 * state.mu * G) : Infinity;
-  const ends = paths.map(({ path }) => path.at(-1)), most = Math.max(0.1, ...ends.flat().map(Math.abs), Number.isFinite(far) ? far : 0) * 1.15;
-  const to = ([x, y]) => [210 + x / most * 200, 210 - y / most * 200].map((v) => v.toFixed(1));
-  let picture = svg("line", { x1: 0, x2: 420, y1: 210, y2: 210, class: "axis" }) + svg("line", { x1: 210, x2: 210, y1: 0, y2: 420, class: "axis" });
-  const length = Math.min(far, 2 * most), [ex, ey] = to([length * Math.cos(radians()), length * Math.sin(radians())]);
-  picture += svg("line", { x1: 210, y1: 210, x2: ex, y2: ey, class: "exact" });
+  const length = Math.min(far, 20), tip = [length * Math.cos(radians()), length * Math.sin(radians())];
+  const ends = paths.map(({ path }) => path.at(-1)), all = [[0, 0], ...(Number.isFinite(far) ? [tip] : []), ...paths.flatMap(({ path }) => path)];
+  const [left, right, low, high] = [0, 0, 1, 1].map((i, k) => Math[k % 2 ? "max" : "min"](...all.map((p) => p[i])));
+  const most = Math.max(0.1, right - left, high - low) * 0.6, middle = [(left + right) / 2, (low + high) / 2];
+  const to = ([x, y]) => [210 + (x - middle[0]) / most * 200, 210 - (y - middle[1]) / most * 200].map((v) => v.toFixed(1));
+  const [ox, oy] = to([0, 0]).map(Number);
+  let picture = svg("line", { x1: 0, x2: 420, y1: oy, y2: oy, class: "axis" }) + svg("line", { x1: ox, x2: ox, y1: 0, y2: 420, class: "axis" });
+  const [ex, ey] = to(tip);
+  picture += svg("line", { x1: ox, y1: oy, x2: ex, y2: ey, class: "exact" });
   paths.forEach(({ path }, i) => {
     picture += svg("polyline", { points: path.map((p) => to(p).join(",")).join(" "), class: `way ${CLASSES[i]}` });
     const [cx, cy] = to(ends[i]);
     picture += svg("circle", { cx, cy, r: 5, class: `answer ${CLASSES[i]}` });
   });
-  picture += svg("text", { x: 396, y: 204 }, "x") + svg("text", { x: 216, y: 14 }, "y");
+  picture += svg("text", { x: 404, y: oy - 6 }, "x") + svg("text", { x: ox + 6, y: 14 }, "y");
   const bar = [1, 2, 5].map((digit) => digit * 10 ** Math.floor(Math.log10(most / 2))).findLast((length) => length <= most / 2);
   picture += svg("line", { x1: 10, x2: 10 + bar / most * 200, y1: 408, y2: 408, class: "axis" }) + svg("text", { x: 10, y: 400, class: "faint" }, `${short(bar)} m`);
   find("#floor").innerHTML = picture;
@@ -62,7 +66,7 @@ function drawWords() {
   const signed = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 3), lines = [];
   for (const { model, x, w } of answers) {
     const slips = Math.hypot(w[1], w[2]) > 1e-6, rub = Math.hypot(x[1], x[2]) / (state.mu * state.press || 1);
-    lines.push(`${model.padEnd(15)} x = (${x.map(signed).join(", ")}) N s   |x_t| = ${signed(rub)} μ x_n   ${slips ? `slips at ${signed(Math.hypot(w[1], w[2]))} m/s` : "sticks"}${Math.abs(w[0]) > 1e-6 ? `, lifts off at ${signed(w[0])} m/s` : ""}`);
+    lines.push(`${model.padEnd(15)} x = (${x.map(signed).join(", ")}) N s   |xₜ| = ${signed(rub)} μ xₙ   ${slips ? `slips at ${signed(Math.hypot(w[1], w[2]))} m/s` : "sticks"}${Math.abs(w[0]) > 1e-6 ? `, lifts off at ${signed(w[0])} m/s` : ""}`);
   }
   find("#words").textContent = lines.join("\n");
   const holds = state.size <= state.mu * state.press, limit = state.mu * state.press;

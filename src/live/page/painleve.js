@@ -1,5 +1,5 @@
-const USUAL = { mu: 1.5, theta: 63, omega: 0, dt: 0.01, step: 0 };
-const SLIDERS = ["mu", "theta", "omega", "step"], MOST_MU = 3, SLIP = 0.6;
+const USUAL = { mu: 1, theta: 63, omega: 0, dt: 0.01, step: 0 };
+const SLIDERS = ["mu", "theta", "omega", "step"], MOST_MU = 3, SLIP = 1;
 const FRAMES = 400;
 const toMap = (mu, theta) => [40 + mu / MOST_MU * 370, 390 - theta / 90 * 370];
 const fromMap = (px, py) => [(px - 40) / 370 * MOST_MU, (390 - py) / 370 * 90];
@@ -48,7 +48,7 @@ function drawMap() {
 }
 
 function drawRod() {
-  const { at: [x, z, angle], x: push } = frames[state.step], scale = 90, ground = 250, middle = 210 - scale * frames[0].at[0] + 60;
+  const { at: [x, z, angle], x: push } = frames[state.step], scale = 90, ground = 250, middle = 210 - scale * frames[0].at[0] + 110;
   const to = (px, pz) => [middle + scale * px, ground - scale * pz];
   const along = [Math.cos(angle), Math.sin(angle)], low = to(x - along[0], z - along[1]), high = to(x + along[0], z + along[1]);
   let picture = svg("line", { x1: 0, x2: 420, y1: ground, y2: ground, class: "axis" });
@@ -90,7 +90,7 @@ function drawWords() {
   const known = forces.map(digits).join(" and ");
   lines.push(`Acceleration level: w = a x + b with a = 1 + 3cos²θ − 3μ sin θ cos θ = ${digits(a)} and b = ω² sin θ − 1 = ${digits(b)}.`);
   lines.push(forces.length === 0 ? "        w < 0 for every x ≥ 0, so there is no solution." : `        x = ${known}${forces.length > 1 ? ": the end leaves the floor, or stays on it." : "."}`);
-  lines.push(`Velocity level, one step from a sliding speed of 1; here friction can also stop the sliding. If there are several solutions, the solver returns one of them:`);
+  lines.push(`Velocity level, one step from a sliding speed of ${SLIP}; here friction can also stop the sliding. If there are several solutions, the solver returns one of them:`);
   for (const { dt, x, w } of steps) {
     const word = x[0] < 1e-12 ? "leaves the floor" : Math.abs(w[1]) < 1e-9 ? "sticks at once" : "keeps sliding";
     lines.push(`        dt = ${String(dt).padEnd(6)} x = (${x.map(digits).join(", ")})   x/dt = ${digits(x[0] / dt)}   ${word}`);

@@ -21,6 +21,19 @@ function setLines(node, text) {
   }));
 }
 
+// The judge's text: the verdict, then a table of what it measured, then remarks.
+function setVerdict(text) {
+  const [first, ...lines] = text.trimEnd().split("\n"), measured = lines.map((line) => line.match(/^ {2}(\S.*?) {2,}(\S+) {2,}(\S.*)$/));
+  const paragraph = (text) => Object.assign(document.createElement("p"), { textContent: text });
+  const table = document.createElement("table");
+  for (const [, name, value, meaning] of measured.filter(Boolean)) {
+    const row = table.insertRow();
+    for (const text of [name, value, meaning]) row.insertCell().textContent = text;
+  }
+  const remarks = lines.filter((line, k) => !measured[k] && line.trim()).map((line) => paragraph(line.trim()));
+  find("#judge").replaceChildren(paragraph(first.replace(/^verdict\s+/, "")), ...(table.rows.length ? [table] : []), ...remarks);
+}
+
 function parse(text) {
   try { return JSON.parse(text); } catch (cause) { return { error: cause.message }; }
 }
@@ -32,24 +45,29 @@ function solve() {
   if (solved.error) return;
   state.step = Math.min(state.step, solved.steps.length - 1);
   find("#x").value = JSON.stringify(solved.answer.x);
-  setLines(find("#judge"), solved.judge);
+  setVerdict(solved.judge);
   find("#solver").value = state.solver;
 }
 
-// Residuals over the steps, on a logarithmic axis; 0 lies on the lowest line.
+// Residuals over the steps, on a logarithmic axis; 0 has a row of its own below it.
 function drawChart() {
   const values = solved.error ? [] : solved.steps.map(({ residual }) => number(residual)), good = values.filter((v) => v > 0 && Number.isFinite(v));
   const high = Math.ceil(Math.log10(Math.max(1e-3, ...good))), low = Math.min(high - 2, Math.max(-16, Math.floor(Math.log10(Math.min(1, ...good)))));
-  const place = (v, k) => [44 + (values.length > 1 ? k / (values.length - 1) : 0) * 366, 12 + (high - Math.max(low, Math.min(high, v > 0 ? Math.log10(v) : low))) / (high - low) * 200];
+  const bottom = values.includes(0) ? 164 : 200;
+  const place = (v, k) => [44 + (values.length > 1 ? k / (values.length - 1) : 0) * 366, v === 0 ? 212 : 12 + (high - Math.max(low, Math.min(high, v > 0 ? Math.log10(v) : low))) / (high - low) * bottom];
   let picture = "";
   for (let power = high; power >= low; power -= Math.ceil((high - low) / 5)) {
     const y = place(10 ** power, 0)[1];
     picture += svg("line", { x1: 44, x2: 410, y1: y, y2: y, class: "contour" }) + svg("text", { x: 38, y: y + 4, class: "faint", "text-anchor": "end" }, ten(power));
   }
+  if (values.includes(0)) {
+    picture += svg("line", { x1: 44, x2: 410, y1: 212, y2: 212, class: "contour" }) + svg("text", { x: 38, y: 216, class: "faint", "text-anchor": "end" }, "0");
+    picture += svg("path", { d: "M14 196l7 -5l7 5l7 -5", class: "contour" }); // the axis is broken
+  }
   picture += svg("polyline", { points: values.map((v, k) => place(v, k).map((u) => u.toFixed(1)).join(",")).join(" "), class: "path" });
-  values.forEach((v, k) => { if (v === 0) { const [x, y] = place(0, k); picture += svg("circle", { cx: x, cy: y, r: 5, class: "solution" }) + svg("text", { x: x - 10, y: y - 8, class: "faint", "text-anchor": "end" }, "0"); } });
+  values.forEach((v, k) => { if (v === 0) { const [x, y] = place(0, k); picture += svg("circle", { cx: x, cy: y, r: 5, class: "solution" }); } });
   if (values.length) { const [cx, cy] = place(values[state.step], state.step); picture += svg("circle", { cx, cy, r: 5, class: "here" }); }
-  picture += svg("text", { x: 410, y: 234, class: "faint", "text-anchor": "end" }, values.length ? `${values.length - 1} steps` : "");
+  picture += svg("text", { x: 410, y: 234, class: "faint", "text-anchor": "end" }, values.length ? `step ${values.length - 1}` : "");
   find("#chart").innerHTML = picture;
 }
 
@@ -115,7 +133,7 @@ function take(text, changes) {
 function judge() {
   const x = parse(find("#x").value);
   const verdict = Array.isArray(x) ? ask({ ask: "judge", problem, x: x.map(Number) }) : { error: `x: expected a list of numbers${x?.error ? ` (${x.error})` : ""}` };
-  setLines(find("#judge"), verdict.error ?? verdict.text);
+  setVerdict(verdict.error ?? verdict.text);
   find("#proof").hidden = find("#save").hidden = true;
 }
 function prove() {

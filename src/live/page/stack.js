@@ -71,6 +71,7 @@ function drawPlot() {
     picture += svg("text", { x: 40, y: py(10 ** -power) + 4, "text-anchor": "end", class: "faint" }, power === 0 ? "1" : `10⁻${"⁰¹²³⁴⁵⁶⁷⁸⁹"[power] ?? "¹⁰"}`);
   }
   for (const k of [0, last / 2, last]) picture += svg("text", { x: px(k), y: 292, "text-anchor": "middle", class: "faint" }, Math.round(k));
+  picture += svg("text", { x: 406, y: 312, "text-anchor": "end" }, isSweep() ? "sweeps" : "pivots");
   if (typeof trace.rate === "number" && trace.rate > 0) {
     const anchor = residuals.findLastIndex((r) => r > 1e-10), level = residuals[anchor] / trace.rate ** anchor;
     picture += svg("polyline", { points: Array.from({ length: last + 1 }, (_, k) => `${px(k).toFixed(1)},${py(level * trace.rate ** k).toFixed(1)}`).join(" "), class: "w1", fill: "none" });
@@ -106,7 +107,7 @@ function drawControls() {
   find("#more").disabled = state.masses.length >= MOST;
   find("#first").disabled = state.at === 0 && !animation;
   find("#row").disabled = find("#sweep").disabled = find("#all").disabled = state.at >= moves.length - 1 && !animation;
-  find("#row").textContent = isSweep() && state.solver !== "jacobi" ? "Row" : isSweep() ? "Sweep " : "Pivot";
+  find("#row").textContent = isSweep() && state.solver !== "jacobi" ? "Next row" : isSweep() ? "Next sweep" : "Next pivot";
   find("#sweep").hidden = !isSweep() || state.solver === "jacobi";
   find("#motion").textContent = timer ? "Stop" : "Simulate 2 s";
 }
@@ -149,5 +150,10 @@ opened.then((answering) => {
   find("#sweep").addEventListener("click", () => { stop(); change({ at: moves.findIndex(({ step }, k) => k > state.at && step > moves[state.at].step) }); });
   find("#all").addEventListener("click", () => { stop(); change({ at: moves.length - 1 }); });
   find("#motion").addEventListener("click", play);
-  follow(USUAL, OWN, () => { stop(); draw(); });
+  follow(USUAL, OWN, () => {
+    stop();
+    // Before the first sweep there is nothing to see.
+    if (!location.hash && !document.documentElement.dataset.state) state.at = state.masses.length;
+    draw();
+  });
 });

@@ -106,7 +106,7 @@ function drawCones() {
   ["neither pushes", "only row 0", "only row 1", "both push"].forEach((text, set) => {
     const [p, q] = [set & 1 ? A[0] : I[0], set & 2 ? A[1] : I[1]], unit = (v) => v.map((u) => u / (Math.hypot(...v) || 1));
     picture += cone(p, q, point)[1];
-    const middle = unit([unit(p)[0] + unit(q)[0], unit(p)[1] + unit(q)[1]]), [x, y] = toCones(middle.map((v) => [4, 3.3, 3.3, 2.5][set] * v));
+    const middle = unit([unit(p)[0] + unit(q)[0], unit(p)[1] + unit(q)[1]]), far = [4, 3.3, 3.3, 2.5][set], near = Math.hypot(...middle.map((v, i) => far * v - point[i])) < 1.2, [x, y] = toCones(middle.map((v) => (near ? far - 1.6 : far) * v));
     if (Math.hypot(...middle) > 0) labels += svg("text", { x, y, class: "faint", "text-anchor": "middle" }, text);
   });
   picture += labels;
