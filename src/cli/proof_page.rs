@@ -34,7 +34,9 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
     if !numbers.is_empty() {
         sections.push(section("numbers", "What the proof consists of", numbers));
     }
-    if !missing.is_empty() {
+    // Of several solutions, nothing stronger can be true.
+    let is_strongest = matches!(proof.claim, Claim::NotUnique { .. });
+    if !missing.is_empty() && !is_strongest {
         let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
         let reasons = vec![Block::Text(reasons.collect())];
         sections.push(section(
@@ -79,7 +81,8 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
         Claim::NotUnique { x, y } => solutions(
             &[x, y],
             &format!(
-                "Both x and y satisfy the conditions of every row in exact arithmetic, and they differ in {}.{}",
+                "Both x and y satisfy the conditions of every row in exact arithmetic, and they differ {}.{} \
+                 Uniqueness cannot be proved, because two solutions exist.",
                 differing(&problem.lcp, x, y),
                 in_w(problem, x, y)
             ),
@@ -107,15 +110,22 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
     }
 }
 
-/// The rows in which two points differ.
+/// The rows in which two points differ: those with a difference that can be seen, if there are any.
 fn differing(lcp: &Lcp, x: &Vector, y: &Vector) -> String {
     let (x, y) = (values(lcp, x), values(lcp, y));
-    let rows: Vec<String> = (0..x.len()).filter(|&i| x[i] != y[i]).map(|i| i.to_string()).collect();
-    match &rows[..] {
-        [row] => format!("row {row}"),
-        rows if rows.len() == x.len() => "every row".into(),
-        rows if rows.len() <= SHOWN => format!("rows {}", rows.join(", ")),
-        rows => format!("{} rows", rows.len()),
+    let size = |value: &RBig| value.to_f64().value().abs();
+    let largest = x.iter().chain(&y).map(size).fold(0.0, f64::max);
+    let differs = |i: &usize| x[*i] != y[*i];
+    let is_seen = |i: &usize| size(&(&x[*i] - &y[*i])) > AGREES * largest;
+    let all = (0..x.len()).filter(differs).count();
+    let seen: Vec<String> = (0..x.len()).filter(is_seen).map(|i| i.to_string()).collect();
+    let only = if seen.len() < all { "visibly only " } else { "" };
+    match &seen[..] {
+        [] => format!("by less than {AGREES:e} of the largest entry"),
+        [row] => format!("{only}in row {row}"),
+        rows if rows.len() == x.len() => "in every row".into(),
+        rows if rows.len() <= SHOWN => format!("{only}in rows {}", rows.join(", ")),
+        rows => format!("{only}in {} rows", rows.len()),
     }
 }
 
@@ -140,10 +150,12 @@ fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
     let lcp = &problem.lcp;
     let points: Vec<Vec<RBig>> = points.iter().map(|point| values(lcp, point)).collect();
     let names = ["x", "y"];
-    let unit = unit(problem).map_or(String::new(), |unit| format!(" ({unit})"));
+    let unit = unit(problem);
+    let in_unit = |unit: Option<&str>| unit.map_or(String::new(), |unit| format!(" ({unit})"));
+    let [of_x, of_w] = [in_unit(unit), in_unit(unit.and_then(unit_of_w))];
     let mut headings = "row".to_string();
     for name in &names[..points.len()] {
-        headings += &format!(" | #{name}{unit} | #w at {name}");
+        headings += &format!(" | #{name}{of_x} | #w at {name}{of_w}");
     }
     let rows = (0..lcp.len()).take(SHOWN).map(|i| {
         let of = |x: &Vec<RBig>| [fraction(&x[i]), fraction(&w(lcp, x, i))].map(Cell::text);
@@ -171,6 +183,17 @@ fn unit(problem: &Problem) -> Option<&str> {
     is_common.then_some(first)
 }
 
+/// The unit of w for this unit of x.
+fn unit_of_w(x: &str) -> Option<&'static str> {
+    Some(match x {
+        "N s" => "m/s",
+        "N m s" => "rad/s",
+        "N" => "m/s²",
+        "N m" => "rad/s²",
+        _ => return None,
+    })
+}
+
 fn more(rows: usize) -> String {
     let rounded = "Long fractions are rounded here, not in the proof. Numbers such as 10⁻¹⁷ are exact: they come from \
                    the rounded A and b of the file.";
@@ -180,10 +203,36 @@ fn more(rows: usize) -> String {
     }
 }
 
-/// The row's number, and its label if the file has one.
+/// The row's number, and its label if the file has one; of a contact's row, the point and the
+/// direction if all rows are those of one pair of bodies.
 fn label(problem: &Problem, i: usize) -> String {
-    let label = problem.extra.get("rows").and_then(|rows| rows.get(i)?.get("label")?.as_str());
-    label.map_or(i.to_string(), |label| format!("{i}: {label}"))
+    let labels = || {
+        let rows = problem.extra.get("rows").and_then(|rows| rows.as_array()).into_iter().flatten();
+        rows.filter_map(|row| row.get("label")?.as_str())
+    };
+    let Some(own) = labels().nth(i) else { return i.to_string() };
+    let pairs: Option<Vec<&str>> = labels().map(|label| Some(contact(label)?.0)).collect();
+    let is_one_pair = pairs.is_some_and(|pairs| pairs.iter().all(|pair| *pair == pairs[0]));
+    match contact(own).filter(|_| is_one_pair) {
+        Some((_, row)) => format!("{i}: {row}"),
+        None => format!("{i}: {own}"),
+    }
+}
+
+/// The bodies of a contact's row, and its point and direction: of `friction slope box 2 at face 0
+/// on vertex 1` these are `slope box` and `vertex 1, friction 2`.
+fn contact(label: &str) -> Option<(&str, String)> {
+    let (front, features) = label.split_once(" at ")?;
+    let (_, point) = features.split_once(" on ")?;
+    let (front, component) = front.rsplit_once(' ')?;
+    let (kind, bodies) = front.split_once(' ')?;
+    Some((
+        bodies,
+        match kind {
+            "normal" => format!("{point}, normal"),
+            kind => format!("{point}, {kind} {component}"),
+        },
+    ))
 }
 
 /// The entries of x; a bound of a friction row depends on its normal row.

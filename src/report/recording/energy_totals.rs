@@ -35,15 +35,25 @@ impl EnergyTotals {
     }
 
     pub(super) fn text(&self) -> String {
-        let mut text = match self.missed {
-            0.0 => format!("balances to {} J per step:", readable(self.remainder, 2)),
-            missed => format!("does not balance: error of {} J in one step:", readable(missed, 2)),
-        };
-        let accounts = self.work.accounts();
-        let largest = accounts.iter().fold(0.0f64, |most, (_, work)| most.max(work.abs()));
-        for (name, work) in accounts.iter().filter(|(_, work)| work.abs() > 1e-12 * largest) {
-            text += &format!("\n{name:<12} {:>14} J", readable(*work, 6));
+        let mut text = self.balance() + ":";
+        for (name, work) in self.notable() {
+            text += &format!("\n{name:<12} {:>14} J", readable(work, 6));
         }
         text
+    }
+
+    /// Whether the accounts explain the change of the energy.
+    pub(super) fn balance(&self) -> String {
+        match self.missed {
+            0.0 => format!("balances to {} J per step", readable(self.remainder, 2)),
+            missed => format!("does not balance: error of {} J in one step", readable(missed, 2)),
+        }
+    }
+
+    /// The work of each account (J) that is more than rounding.
+    pub(super) fn notable(&self) -> Vec<(&'static str, f64)> {
+        let accounts = self.work.accounts();
+        let largest = accounts.iter().fold(0.0f64, |most, (_, work)| most.max(work.abs()));
+        accounts.into_iter().filter(|(_, work)| work.abs() > 1e-12 * largest).collect()
     }
 }

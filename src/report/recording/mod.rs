@@ -49,6 +49,10 @@ pub struct Record {
     /// The largest angle (rad) by which a joint was misaligned.
     worst_angular_drift: f64,
     worst_penetration: f64,
+    /// The largest kinetic energy (J).
+    most_kinetic: f64,
+    /// Whether bodies touched.
+    touched: bool,
     /// The step with the smallest supported fraction of the weight, and that fraction.
     least_carried: Option<(usize, f64)>,
     laws: LawErrors,
@@ -87,6 +91,8 @@ impl Record {
             worst_drift: 0.0,
             worst_angular_drift: 0.0,
             worst_penetration: 0.0,
+            most_kinetic: 0.0,
+            touched: false,
             least_carried: None,
             laws: LawErrors::default(),
             slips: Slips::default(),
@@ -148,6 +154,7 @@ impl Record {
         {
             tables.add(&self.scene, step);
         }
+        self.touched |= !step.contacts.is_empty();
         self.laws = self.laws.worse(step.laws);
         self.slips.add(step);
         let ended = self.impacts.add(&self.scene, step);
@@ -297,6 +304,7 @@ impl Record {
         self.worst_drift = self.worst_drift.max(motion.drift);
         self.worst_angular_drift = self.worst_angular_drift.max(motion.angular_drift);
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
+        self.most_kinetic = self.most_kinetic.max(motion.kinetic);
         self.last = motion.clone();
     }
 }

@@ -78,24 +78,72 @@ impl Record {
         totals
     }
 
-    /// The change of the energy, and the largest errors of joints and contacts, in a sentence.
+    /// The change of the energy, and the largest errors of joints and contacts, in a sentence; only
+    /// of what the scene has.
     pub(crate) fn finding(&self) -> String {
-        let end = self.last.energy() - self.first.energy();
-        let scale = self.first.energy().abs().max(self.last.energy().abs());
-        let energy = match end.abs() > ROUNDING * scale {
-            true => format!("the energy changes by {} J", readable(end, 3)),
-            false => "the energy stays the same".into(),
-        };
+        let energy = self.energy_in_words();
         let error = |value: f64| match value <= ROUNDING {
-            true => "by 0".into(),
+            true => "not at all".into(),
             false => format!("by at most {} m", readable(value, 2)),
         };
-        format!(
-            "In {} s {energy}, joints drift {} and bodies overlap {}",
-            readable(self.last.time, 4),
-            error(self.worst_drift),
-            error(self.worst_penetration)
-        )
+        let drift = (!self.scene.constraints.is_empty()).then(|| {
+            let size = self.size();
+            let part = match self.worst_drift > ROUNDING && size > 0.0 {
+                true => {
+                    format!(
+                        " ({} % of the scene's size)",
+                        readable(100.0 * self.worst_drift / size, 2)
+                    )
+                }
+                false => String::new(),
+            };
+            format!("joints drift {}{part}", error(self.worst_drift))
+        });
+        let overlap =
+            self.touched.then(|| format!("bodies overlap {}", error(self.worst_penetration)));
+        let parts: Vec<String> = [Some(energy), drift, overlap].into_iter().flatten().collect();
+        let time = readable(self.last.time, 4);
+        match &parts[..] {
+            [first @ .., last] if !first.is_empty() => {
+                format!("In {time} s {} and {last}", first.join(", "))
+            }
+            parts => format!("In {time} s {}", parts.join("")),
+        }
+    }
+
+    /// The change of the energy, without a full stop.
+    pub(crate) fn energy_in_words(&self) -> String {
+        let end = self.last.energy() - self.first.energy();
+        let scale = self.first.energy().abs().max(self.last.energy().abs()).max(self.most_kinetic);
+        match end.abs() > ROUNDING * scale {
+            true if self.most_kinetic > 0.0 => format!(
+                "the energy changes by {} J, {} % of the largest kinetic energy",
+                readable(end, 3),
+                readable(100.0 * end.abs() / self.most_kinetic, 2)
+            ),
+            true => format!("the energy changes by {} J", readable(end, 3)),
+            false => "the energy stays the same".into(),
+        }
+    }
+
+    /// The totals of a page: without those of contacts if there were none, and without the ledger.
+    pub(crate) fn page_totals(&self) -> Vec<(&'static str, String)> {
+        let is_shown = |name: &str| match name {
+            "friction" | "penetration" | "laws" => self.touched,
+            name => name != "ledger" || self.energy_totals.is_none(),
+        };
+        self.totals().into_iter().filter(|(name, _)| is_shown(name)).collect()
+    }
+
+    /// The work of each account of the energy ledger (J), without rounding errors; empty if the
+    /// forces were not recorded.
+    pub(crate) fn ledger(&self) -> Vec<(&'static str, f64)> {
+        self.energy_totals.as_ref().map_or(Vec::new(), EnergyTotals::notable)
+    }
+
+    /// How well the energy ledger balances.
+    pub(crate) fn balance(&self) -> String {
+        self.energy_totals.as_ref().map_or_else(String::new, EnergyTotals::balance)
     }
 
     /// The number and the length of the steps, the scheme and the solver.
@@ -349,13 +397,16 @@ impl Record {
         format!("at most {drift} m{angle}{part}")
     }
 
-    /// The drift relative to the scene, and how to reduce it, if it is large enough to report.
-    fn relative_drift(&self) -> String {
-        // At the start, because a drift enlarges the scene.
+    /// The size of the scene (m) at the start, because a drift enlarges it.
+    fn size(&self) -> f64 {
         let points = self.scene.states.iter().map(|state| state.pose.p);
         let size = points.clone().flat_map(|p| points.clone().map(move |q| (p - q).norm()));
-        let size = size.fold(0.0, f64::max).max(points.map(|p| p.norm()).fold(0.0, f64::max));
-        let part = self.worst_drift / size;
+        size.fold(0.0, f64::max).max(points.map(|p| p.norm()).fold(0.0, f64::max))
+    }
+
+    /// The drift relative to the scene, and how to reduce it, if it is large enough to report.
+    fn relative_drift(&self) -> String {
+        let part = self.worst_drift / self.size();
         if !(part > DRIFT && part.is_finite()) {
             return String::new();
         }

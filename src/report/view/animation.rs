@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::{Outcome, ReportPage, View};
 use crate::animation::Animation;
 use crate::body::{Body, State};
-use crate::number::{count, counted, readable};
+use crate::number::{capitalized, count, counted, readable};
 use crate::page::DrawnAnimation;
 use crate::report::page::{Block, Cell, Page, Player, Table, Tile, markup};
 use crate::report::recording::Record;
@@ -65,11 +65,15 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     let scene = animation.scene.clone();
     let page = Page { title: scene.title.clone(), lead: lead(record), ..Page::default() };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
+    if !scene.teaches.trim().is_empty() {
+        document.page.opening.push(Block::Text(markup::literal(scene.teaches.trim())));
+    }
     document.page.opening.push(Block::Tiles(tiles(record)));
     document.animation(&animation, "The simulated motion over time.");
     if let Some(Block::Player(player)) =
         document.page.sections.iter_mut().flat_map(|section| &mut section.blocks).next()
     {
+        player.animation.title = capitalized(&record.energy_in_words());
         player.files = FILES.map(|name| (name.into(), name.into())).into();
     }
     document.open("totals", "Totals");
@@ -77,11 +81,13 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
         document.add(Block::Note(format!("**{kind}**: {}", markup::literal(&remark))));
     }
     document.add(Block::Table(totals(record)));
-    document.open("end", "The bodies at the end");
-    document.add(Block::Table(at_the_end(record)));
-    if !scene.teaches.trim().is_empty() {
-        document.open("scene", "About the scene");
-        document.text(markup::literal(scene.teaches.trim()));
+    let ledger = record.ledger();
+    if !ledger.is_empty() {
+        document.add(Block::Table(causes(record, &ledger)));
+    }
+    if record.listed().0.len() > 1 {
+        document.open("end", "The bodies at the end");
+        document.add(Block::Table(at_the_end(record)));
     }
     document.page
 }
@@ -133,6 +139,14 @@ fn at_the_end(record: &Record) -> Table {
     Table::new("Positions and velocities at the end", &note, head, rows)
 }
 
+/// The causes of the change of the energy.
+fn causes(record: &Record, ledger: &[(&str, f64)]) -> Table {
+    let row = |(name, work): &(&str, f64)| vec![Cell::text(*name), Cell::number(*work, 3)];
+    let how = format!("The sum over all steps; it {}.", record.balance());
+    let rows = ledger.iter().map(row).collect();
+    Table::new("What changed the energy", how, "cause | #energy (J)", rows)
+}
+
 /// The totals; further lines of a value follow its first one.
 fn totals(record: &Record) -> Table {
     let row = |(name, value): (&str, String)| {
@@ -141,10 +155,16 @@ fn totals(record: &Record) -> Table {
         let more = more.lines().map(single).collect::<Vec<_>>().join("; ");
         vec![Cell::text(name), Cell::text(format!("{first} {more}").trim_end())]
     };
-    let rows = record.totals().into_iter().map(row).collect();
-    let how = "*residual*: the largest scaled residual of an answer. *drift*: the largest error of a joint. *weight*: the \
-               part of it that contacts, joints and springs support. *laws*: the largest violations of those of contact and \
-               friction. *ledger*: the causes of the change of the energy.";
+    let totals = record.page_totals();
+    let has_laws = totals.iter().any(|(name, _)| *name == "laws");
+    let rows = totals.into_iter().map(row).collect();
+    let mut how = String::from(
+        "*residual*: the largest scaled residual of an answer. *drift*: the largest error of a joint. *weight*: the \
+         part of it that contacts, joints and springs support.",
+    );
+    if has_laws {
+        how += " *laws*: the largest violations of those of contact and friction.";
+    }
     Table::new("Totals of the run", how, "measure | value", rows)
 }
 
