@@ -150,7 +150,7 @@ fn wrong(program: &Program) -> String {
         let parts = own.holds.split('$').enumerate();
         let correct = parts.map(|(k, part)| match k % 2 {
             0 => part.replace('|', "\\|"),
-            _ => part.replace('|', "\\vert "),
+            _ => part.replace('|', "\\vert{}"),
         });
         let correct = correct.collect::<Vec<_>>().join("$");
         Some(format!("| [{}](#part-{section}) | {} | {correct} |\n", own.id, literal(&own.place)))

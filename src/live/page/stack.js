@@ -153,7 +153,7 @@ opened.then((answering) => {
   follow(USUAL, OWN, () => {
     stop();
     // Before the first sweep there is nothing to see.
-    if (!location.hash && !document.documentElement.dataset.state) state.at = state.masses.length;
+    if (Object.keys(USUAL).every((key) => String(state[key]) === String(USUAL[key]))) state.at = state.masses.length;
     draw();
   });
 });

@@ -21,7 +21,8 @@ fn a_page_shows_animation_pattern_and_sweeps_and_the_problems_lie_beside_it() {
     ] {
         assert!(page.contains(part), "{part}");
     }
-    // Of the boxes three are heavy enough to fall freely at first; the exact take, the first, has no red body.
+    // Of the boxes three are heavy enough to fall freely at first; in the exact take, which comes
+    // first, no body is red.
     let animation = page.split("<script type=\"application/json\">").nth(1).unwrap();
     let animation: serde_json::Value =
         serde_json::from_str(animation.split("</script>").next().unwrap()).unwrap();

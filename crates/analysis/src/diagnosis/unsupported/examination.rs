@@ -275,7 +275,10 @@ impl Examination {
         if document.is_accepted {
             // They are harmless but would fill a page; the diagnosis of a single problem, and JSON,
             // contain them.
-            rest.retain(|own| own.title != "Dependent rows" && !own.title.starts_with("Rank and"));
+            rest.retain(|own| own.title != "Dependent rows");
+        }
+        if document.is_accepted && !self.causes().is_empty() {
+            rest.retain(|own| !own.title.starts_with("Rank and"));
         }
         rest.iter_mut()
             .filter(|own| own.title == "Causes")
