@@ -201,12 +201,13 @@ fn claims_until<'s>(
     tolerance: f64,
 ) -> Option<Vec<(&'s str, Claim)>> {
     let start = Start { x: start, ..Start::default() };
-    let solve = |solver: &'s Box<dyn Solver>| {
+    let solve = |solver: &'s dyn Solver| {
         let solution = solver.solve(lcp, &start, &mut stop.watch(&mut ()));
         let is_in_time = stop.reason().is_none();
         is_in_time.then(|| (solver.name(), Claim::of(lcp, &solution, tolerance)))
     };
-    let mut claims = solvers.iter().map(solve).collect::<Option<Vec<_>>>()?;
+    let answers = solvers.iter().map(|solver| solve(solver.as_ref()));
+    let mut claims = answers.collect::<Option<Vec<_>>>()?;
     let truth = Truth::of(lcp, claims.iter().map(|(_, claim)| claim));
     for (_, claim) in &mut claims {
         claim.weigh(truth);
