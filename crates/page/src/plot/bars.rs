@@ -150,7 +150,12 @@ impl Figure for Bars {
                     layer.draw(&PathElement::new(ends, stroke(INK, 1.5)))
                 })
             });
-            canvas.text((line, top - 6.0), Anchor::Middle, TEXT, INK, name);
+            // On a narrow picture a long name begins at the edge.
+            let (x, anchor) = match line - 0.5 * style::width(name, TEXT) < style::EDGE {
+                true => (style::EDGE, Anchor::Start),
+                false => (line, Anchor::Middle),
+            };
+            canvas.text((x, top - 6.0), anchor, TEXT, INK, name);
             description += &format!("{name} {}; ", readable(*value, 3));
         }
         for (k, bar) in self.bars.iter().enumerate() {
