@@ -299,7 +299,8 @@ pub fn compare(
         .collect();
     let (options, stop) = (given.options()?, Stop::default());
     let rows = wait(py, &stop, || {
-        let limits = families::Limits { stop: &stop, each: None, motion: None, search: false, tick: &|| () };
+        let limits =
+            families::Limits { stop: &stop, each: None, motion: None, search: false, tick: &|| () };
         families::run_on(&problems, Models::Stated(&models), &chosen, &options, &limits)
     })?;
     let table = terminal::table(&view::families_table(&rows));
