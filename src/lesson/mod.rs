@@ -162,8 +162,9 @@ fn wrong(program: &Program) -> String {
 /// An erratum as a quotation.
 fn note(id: &str) -> Option<String> {
     let exhibit = exhibit::named(id).ok()?;
+    let stop = if exhibit.printed.ends_with(['.', ';']) { "" } else { "." };
     Some(format!(
-        "> **{}**, {}, {}. *Printed:* {} *Correct:* {}",
+        "> **{}**, {}, {}. *Printed:* {}{stop} *Correct:* {}",
         exhibit.id,
         literal(&exhibit.place),
         exhibit.severity.word(),

@@ -58,7 +58,9 @@ function drawFloor() {
   });
   picture += svg("text", { x: 404, y: oy - 6 }, "x") + svg("text", { x: ox + 6, y: 14 }, "y");
   const bar = [1, 2, 5].map((digit) => digit * 10 ** Math.floor(Math.log10(most / 2))).findLast((length) => length <= most / 2);
-  picture += svg("line", { x1: 10, x2: 10 + bar / most * 200, y1: 408, y2: 408, class: "axis" }) + svg("text", { x: 10, y: 400, class: "faint" }, `${short(bar)} m`);
+  // The scale, away from the axis.
+  const span = bar / most * 200, start = ox < 210 ? 410 - span : 10;
+  picture += svg("line", { x1: start, x2: start + span, y1: 408, y2: 408, class: "axis" }) + svg("text", { x: start, y: 400, class: "faint" }, `${short(bar)} m`);
   find("#floor").innerHTML = picture;
 }
 

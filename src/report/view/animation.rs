@@ -139,11 +139,20 @@ fn at_the_end(record: &Record) -> Table {
     Table::new("Positions and velocities at the end", &note, head, rows)
 }
 
-/// The causes of the change of the energy.
+/// The causes of the change of the energy, and their sum.
 fn causes(record: &Record, ledger: &[(&str, f64)]) -> Table {
-    let row = |(name, work): &(&str, f64)| vec![Cell::text(*name), Cell::number(*work, 3)];
-    let how = format!("The sum over all steps; it {}.", record.balance());
-    let rows = ledger.iter().map(row).collect();
+    let sum: f64 = ledger.iter().map(|(_, work)| work).sum();
+    let largest = ledger.iter().fold(0.0, |most: f64, (_, work)| most.max(work.abs()));
+    // The sum has three digits, and all causes as many decimals, so that they add up to it.
+    let smallest = if sum.abs() > 1e-6 * largest { sum.abs() } else { largest };
+    let decimals = (2.0 - smallest.log10().floor()).clamp(0.0, 12.0) as usize;
+    let row = |name: &str, work: f64| {
+        let text = format!("{work:.decimals$}").replace('-', "−");
+        vec![Cell::text(name), Cell { text, value: Some(work), ..Cell::default() }]
+    };
+    let how = format!("Over all steps. The ledger {}.", record.balance());
+    let causes = ledger.iter().map(|&(name, work)| row(name, work));
+    let rows = causes.chain([row("sum", sum)]).collect();
     Table::new("What changed the energy", how, "cause | #energy (J)", rows)
 }
 

@@ -76,6 +76,7 @@ impl<'a> Tableaux<'a> {
             rows: rows.iter().map(line).collect(),
             left_out: own.pairs - rows.len(),
             chosen: leaving_row(own).and_then(|leaving| rows.iter().position(|r| *r == leaving)),
+            keeps_columns: true,
         };
         let remark = match own.nonbasic.len() - columns.len() {
             0 => None,

@@ -60,7 +60,7 @@ fn without_rounding(scene: &Scene, before: &[State], after: &[State]) -> Vec<Sta
     let state = |own: &State| State {
         v: settle(&own.v, fastest),
         omega: settle(&own.omega, turning),
-        ..own.clone()
+        ..*own
     };
     after.iter().map(state).collect()
 }

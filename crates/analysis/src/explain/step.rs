@@ -95,7 +95,7 @@ const CONVENTIONS: &str = "Rows are numbered from 0. x ≥ 0 pushes the bodies o
 
 /// The answers of a step in a sentence; empty if nothing was solved.
 fn found(place: &str, solves: &[Solve]) -> String {
-    let solves = solves.iter().filter(|solve| !solve.problem.lcp.is_empty());
+    let mut solves = solves.iter().filter(|solve| !solve.problem.lcp.is_empty());
     let one = |own: &Solve| {
         let (stage, x) = (own.problem.stage, &own.solution.x);
         let what = match stage {
@@ -115,7 +115,7 @@ fn found(place: &str, solves: &[Solve]) -> String {
         format!("{what}{x} in {}", counted(own.solution.iterations, unit.trim_end_matches('s')))
     };
     let parts: Vec<String> = solves.clone().map(one).collect();
-    match solves.last() {
+    match solves.next_back() {
         Some(last) => {
             capitalized(&format!("{place}{} finds {}.", last.solver, parts.join(", then ")))
         }

@@ -59,6 +59,7 @@ fn table(table: &super::Table) -> Table {
         how_to_read: left_out,
         columns: table.columns.iter().enumerate().map(column).collect(),
         rows: table.rows.iter().enumerate().map(row).collect(),
+        keeps_columns: table.keeps_columns,
         ..Table::default()
     }
 }

@@ -148,6 +148,9 @@ pub struct Table {
     /// The row that the text around it is about, bold on a page.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub chosen: Option<usize>,
+    /// Whether a page keeps columns that say the same in every row, as in a matrix.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub keeps_columns: bool,
 }
 
 impl Section {

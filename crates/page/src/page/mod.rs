@@ -284,6 +284,8 @@ pub struct Table {
     pub rows: Vec<Vec<Cell>>,
     /// Files with its data, as for a [`Picture`].
     pub files: Vec<(String, String)>,
+    /// Whether columns that say the same in every row stay, as in a matrix.
+    pub keeps_columns: bool,
 }
 
 /// A column of a table.
@@ -422,6 +424,7 @@ impl Table {
             let first = self.rows.first().map(cell).unwrap_or_default();
             let is_plain = first.mark == Mark::Plain && first.link.is_empty();
             c > 0
+                && !self.keeps_columns
                 && self.rows.len() >= CONDENSED_ROWS
                 && is_plain
                 && self

@@ -117,6 +117,7 @@ fn text_is_escaped_everywhere() {
         columns: vec![Column { unit: evil.into(), ..Column::words(evil) }],
         rows: vec![vec![Cell::text(evil)]],
         files: vec![(evil.into(), "a\" onclick=\"b".into())],
+        ..Table::default()
     };
     let mut page = page(vec![
         Block::Text(evil.into()),

@@ -169,6 +169,7 @@ fn squares() -> Table {
             row("minus nothing", -0.0, Mark::Note),
         ],
         files: vec![("data (CSV)".into(), "data/squares.csv".into())],
+        ..Table::default()
     }
 }
 
