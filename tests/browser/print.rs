@@ -60,7 +60,7 @@ fn the_standard_report_has_at_most_12_sheets_and_every_figure_on_them_has_its_ma
     let output = command.output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let count = pages(&fs::read(folder.path().join("report.pdf")).unwrap());
-    assert!((8..=12).contains(&count), "{count} sheets");
+    assert!((5..=12).contains(&count), "{count} sheets");
     // The rules for print, applied to the screen: of every figure that is not folded away,
     // something of each kind of mark has a size.
     let page = folder.path().join("reports/standard/index.html");
@@ -76,7 +76,7 @@ fn the_standard_report_has_at_most_12_sheets_and_every_figure_on_them_has_its_ma
         const size = (text) => 0.75 * scale(text.ownerSVGElement) * Number(text.getAttribute('font-size'));
         const texts = open.flatMap((figure) => [...figure.querySelectorAll('svg text')]).filter(shown);
         const small = texts.filter((text) => size(text) < 7.0);
-        return [open.length > 10, open.flatMap(bare).map((mark) => mark.getAttribute('class')),
+        return [open.length > 4, open.flatMap(bare).map((mark) => mark.getAttribute('class')),
           texts.length > 200, small.map((text) => text.textContent + ': ' + size(text).toFixed(1) + ' pt')];",
     );
     assert_eq!(seen, json!([true, [], true, []]));
