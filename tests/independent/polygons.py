@@ -26,7 +26,8 @@ UNKNOWNS.  x_t = sum_j beta_j d_j with beta >= 0 for the two d_j that x_t lies b
     beta_j > 0, -d_j.w_t: whichever leaves the smallest residual.
 RESIDUAL.  The largest of: r (see judge.py) of the rows x_n and of the other rows in that LCP; the
     same of each beta with R = mu max(x_n, T_n/s_n), infinite if 0; for each contact
-    |min((mu x_n - sum beta)/R, the least gamma/T_beta)|; |x_t| s/T for x_t of contacts without
+    |min((mu x_n - sum beta)/R, gamma/T_beta)|, with sum beta as R if that is infinite, and T_beta
+    of the beta whose d_j.w_t + gamma is nearest to 0; |x_t| s/T for x_t of contacts without
     friction. lcplab may report a larger number, since z can be measured in other ways, but must not
     reject an answer because of that. With another gamma it may report half as much, no less.
     x is worth something if e(z), without gamma, is at most e(P(0))/10, or the residual of P(0) is
@@ -246,21 +247,23 @@ class Polygons:
         for c, (n, t1, _, mu) in enumerate(self.rubbing):
             own, betas = self.z.normals[n], self.z.betas(c, self.k)
             reach = mu * max(x[n], at.size[own] / self.z.scale[own]) or INF
-            left = at.w[self.z.gamma + c] / reach if reach != INF else Q(0)
+            left, total = at.w[self.z.gamma + c], sum(z[beta] for beta in betas)
+            left = left / reach if reach != INF else left / total if total else Q(0)
             speeds = [-at.w[beta] for beta in betas]
             options = []
             for gamma in {Q(0), max(speeds), *(v for v, beta in zip(speeds, betas) if z[beta])}:
                 if gamma < 0:
                     continue
-                pushes, slips, of_betas = [], [], []
+                pushes, sizes, of_betas = [], {}, []
                 for beta in betas:
                     w, size, s = at.w[beta] + gamma, max(raw[beta] + gamma, self.z.rest[beta]), self.z.scale[beta]
                     unit = min(size / s, reach)
                     pushes.append(abs(min(z[beta], unit * w / size)) / unit if unit else Q(0))
-                    slips.append(part(gamma, size))
+                    sizes[beta] = size
                     of_betas.append(min(z[beta], w / s) ** 2 * s)
-                options.append((max(max(pushes), abs(min(left, *slips))), max(pushes), abs(min(left, *slips)),
-                                max(of_betas)))
+                nearest = min(betas, key=lambda beta: abs(at.w[beta] + gamma))
+                slip = abs(min(left, part(gamma, sizes[nearest])))
+                options.append((max(max(pushes), slip), max(pushes), slip, max(of_betas)))
             _, push, slip, of_beta = min(options)
             put(t1, push)
             put(n, slip)
@@ -693,6 +696,8 @@ def self_test():
         (apart, 4, answer([1, 0.5, 0], NOT, 2 / 3), right),
         (apart, 4, answer([1, 0.5, 0], WITHIN, 2 / 3, rounded_by=1.0), "accepted by rounding of 1.0"),
         (apart, 4, answer([1e-20, 0.5, 0], WITHIN, 1.0), "backward error"),
+        (block([0, -1, 0]), 4, answer([0, 1, 0], WITHIN), "but its residual is"),     # nothing presses
+        (block([0, -1, 0]), 8, answer([0, 1, 0], NOT, 1.0), right),
         (paradox, 4, answer([1, -1, 0], NOT, 1.0), right),
         (paradox, 4, answer([1, -1, 0], NOT, 1.0, status="infeasible", certificate={"case_split": 9}), right),
         (paradox, 4, answer([1e9, -1e9, 0], PROVED, distance=1.0), "no solution is within"),
