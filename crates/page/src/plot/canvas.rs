@@ -182,9 +182,11 @@ impl Canvas {
             (false, true) => " class=\"square\"",
             (false, false) => "",
         };
+        // To a screen reader an image is one thing, so that links in it could not be reached.
+        let role = if self.body.contains("<a ") { "group" } else { "img" };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\"{class} width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\" \
+             viewBox=\"0 0 {width} {height}\" role=\"{role}\" aria-labelledby=\"{id}-title {id}-desc\" \
              font-family=\"{FONTS}\">\n<title id=\"{id}-title\">{title}</title>\n\
              <desc id=\"{id}-desc\">{description}</desc>\n{body}</svg>\n",
             width = self.width,
