@@ -32,8 +32,8 @@ pub(super) fn newton_to_lcp(
     if let Some(before) = before.filter(|before| columns.has_matrices_of(before)) {
         let stage = before.stage.name();
         section.say(format!("J, M⁻¹ and A are those of the {stage} above."));
-        newton(&mut section, &columns, scene.step.dt, true);
-        constraint(&mut section, &columns, units, true);
+        newton(&mut section, &columns, scene.step.dt);
+        constraint(&mut section, &columns);
         statement::right_side(&mut section, &columns, units);
         return section;
     }
@@ -51,15 +51,17 @@ pub(super) fn newton_to_lcp(
     if !problem.slides.is_empty() {
         sliding::substitution(&mut section, scene, problem);
     }
-    newton(&mut section, &columns, scene.step.dt, false);
-    constraint(&mut section, &columns, units, false);
+    newton(&mut section, &columns, scene.step.dt);
+    inverse_mass(&mut section, &columns);
+    constraint(&mut section, &columns);
+    jacobian(&mut section, &columns, units);
     insertion(&mut section, &columns, units);
     statement::lcp(&mut section, &columns, posing, units);
     section
 }
 
-/// Step 1: the motion with the constraints' x; M⁻¹ unless it is known.
-fn newton(section: &mut Section, columns: &Columns, dt: f64, is_known: bool) {
+/// Step 1: the motion with the constraints' x.
+fn newton(section: &mut Section, columns: &Columns, dt: f64) {
     let problem = columns.problem;
     let assembly = &problem.assembly;
     let target = columns.pick(&problem.target);
@@ -118,16 +120,16 @@ fn newton(section: &mut Section, columns: &Columns, dt: f64, is_known: bool) {
     section.say(words);
     section.formula(Formula::default().symbols(law[0], law[1]));
     section.formula(numbers.unit(columns.unit()));
-    if is_known {
-        return;
-    }
+}
+
+fn inverse_mass(section: &mut Section, columns: &Columns) {
     let response = Formula::default().symbols("M⁻¹ =", "M^{-1} =");
     let unit = if columns.is_angular { "1/kg or 1/(kg m²)" } else { "1/kg" };
     section.formula(columns.inverse_mass(response).unit(unit));
 }
 
-/// Step 2: the conditions of the rows on the motion; with J unless it is known.
-fn constraint(section: &mut Section, columns: &Columns, units: &Units, is_known: bool) {
+/// Step 2: the conditions of the rows on the motion.
+fn constraint(section: &mut Section, columns: &Columns) {
     let (moved, latex) = moved(columns.problem.stage);
     let motion = match columns.problem.stage {
         Stage::Acceleration => "accelerations",
@@ -141,13 +143,15 @@ fn constraint(section: &mut Section, columns: &Columns, units: &Units, is_known:
     let law = Formula::default()
         .symbols(&format!("w = J {moved} + bias"), &format!("w = J {latex} + \\mathrm{{bias}}"));
     section.formula(law);
-    if !is_known {
-        let numbers = columns
-            .j(Formula::default().symbols("J =", "J ="))
-            .symbols(",   bias =", ", \\quad \\mathrm{bias} =")
-            .vector(&columns.problem.bias);
-        section.formula(numbers.unit(units.of_w()));
-    }
+}
+
+/// J and the bias.
+fn jacobian(section: &mut Section, columns: &Columns, units: &Units) {
+    let numbers = columns
+        .j(Formula::default().symbols("J =", "J ="))
+        .symbols(",   bias =", ", \\quad \\mathrm{bias} =")
+        .vector(&columns.problem.bias);
+    section.formula(numbers.unit(units.of_w()));
 }
 
 /// Step 3: the motion substituted into the constraint.
