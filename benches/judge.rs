@@ -1,9 +1,10 @@
-//! What does an exact proof cost? Random definite problems with half of the rows free.
+//! What do a verdict and an exact proof cost? Random definite problems with half of the rows free.
 
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use lcplab::judge::exact::prove;
+use lcplab::judge::{Demand, Verdict, judge};
 use lcplab::lcp::{Lcp, Matrix};
 use lcplab::solver::{Dantzig, Settings, Solver, Start};
 use nalgebra::DMatrix;
@@ -24,19 +25,25 @@ fn problem(n: usize) -> Lcp {
         .expect("a valid problem")
 }
 
-fn exact_proof(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("exact proof");
+/// Both prove that an exact solution is near x; `prove` also returns its fractions.
+fn proofs(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("proof");
     group.sample_size(10);
-    for n in [10, 50, 150] {
+    let demand = Demand { prove_up_to: Demand::EXACT_ROWS, ..Demand::default() };
+    for n in [20, 50, 150] {
         let lcp = problem(n);
         let settings = Settings::default().with_tolerance(1e-12);
         let x = Dantzig { settings }.solve(&lcp, &Start::default(), &mut ()).x;
+        assert!(matches!(judge(&lcp, &x, &demand).verdict, Verdict::Proved { .. }));
         assert!(prove(&lcp, &x).is_some(), "the solution must be proved");
-        group.bench_function(BenchmarkId::from_parameter(n), |bencher| {
+        group.bench_function(BenchmarkId::new("judge", n), |bencher| {
+            bencher.iter(|| judge(black_box(&lcp), &x, &demand));
+        });
+        group.bench_function(BenchmarkId::new("fractions", n), |bencher| {
             bencher.iter(|| prove(black_box(&lcp), &x));
         });
     }
 }
 
-criterion_group!(benches, exact_proof);
+criterion_group!(benches, proofs);
 criterion_main!(benches);

@@ -8,6 +8,8 @@
 //! decided exactly. If the equations are singular, the unknowns that they leave open keep their
 //! value in x.
 //!
+//! Before this, the judge tries to enclose a solution without fractions.
+//!
 //! A failed proof does not show that x is wrong: the active set is uncertain where x_i − w_i/s_i
 //! lies within rounding of a bound. Therefore the active set of x itself and the alternatives of
 //! such ties are tried too, and the nearest solution counts.

@@ -3,8 +3,9 @@
 //! [`judge`] recomputes everything from (A, b, lo, hi, x) in compensated arithmetic and returns one
 //! of three verdicts:
 //!
-//! - *proved*: x is within tolerance, and exact rational arithmetic shows that the problem has an
-//!   exact solution x* at a stated distance from x ([`exact`]);
+//! - *proved*: x is within tolerance, and bounds on all rounding errors, or rational arithmetic
+//!   where they do not suffice ([`exact`]), show that the problem has an exact solution x* at a
+//!   stated distance from x;
 //! - *within tolerance*: the scaled residual is at most the tolerance, x is at least ten times
 //!   closer to a solution than x = 0 projected onto the bounds, and the judge found no proof that
 //!   there is no solution ([`refutation`](refutation()));
@@ -30,11 +31,13 @@ mod cone;
 mod convex;
 #[cfg(feature = "clarabel")]
 pub mod cross_check;
+mod enclosure;
 pub mod error_bound;
 pub mod exact;
 mod friction;
 pub mod gap_bound;
 mod interval;
+mod inverse;
 pub mod motion_bound;
 mod neighbor;
 mod polygon;
@@ -145,8 +148,12 @@ fn judge_as_given(lcp: &Lcp, x: &[f64], demand: &Demand) -> Certificate {
         return certificate;
     }
     let is_small = lcp.len() <= demand.prove_up_to;
-    let nearest = if is_small { exact::nearest_to(lcp, x) } else { None };
     let within = Certificate { verdict: Verdict::WithinTolerance, ..certificate };
+    let enclosed = if is_small { enclosure::distance(&at) } else { None };
+    if let Some(distance) = enclosed.filter(|&distance| is_near(x, distance)) {
+        return Certificate { verdict: Verdict::Proved { distance }, ..within };
+    }
+    let nearest = if is_small { exact::nearest_to(lcp, x) } else { None };
     match nearest {
         Some((solution, distance)) if is_near(x, distance) => Certificate {
             verdict: Verdict::Proved { distance },

@@ -5,10 +5,10 @@
 //! and the strict inequalities of a box do not hold there. Alternating projections between the
 //! subspace and slightly narrower cones move it inside.
 
-use super::newton;
 use super::redundant::Dependence;
 use super::state::RowState;
 use super::system::System;
+use crate::inverse::inverse;
 
 /// The cones are narrower by these fractions: first near the answer, then farther away.
 const MARGINS: [f64; 2] = [1e-10, 1e-6];
@@ -23,7 +23,7 @@ pub(super) fn moved(system: &System<'_>, dependences: &[Dependence], x: &[f64]) 
         p.iter().map(|&(i, value)| value * other(i)).sum()
     };
     let products = directions.iter().map(|p| directions.iter().map(|q| dot(p, q)).collect());
-    let Some(inverse) = newton::inverse(products.collect()) else { return Vec::new() };
+    let Some(inverse) = inverse(products.collect()) else { return Vec::new() };
     let within = |margin: f64| {
         let mut x = x.to_vec();
         for _ in 0..MOST_ROUNDS {
