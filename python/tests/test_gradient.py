@@ -72,6 +72,14 @@ def test_jax_differentiates_through_a_contact_solve():
     assert np.allclose(example("gradient_jax").main(), 3 * np.triu(np.ones((3, 3))), atol=1e-12)
 
 
+def test_the_push_of_a_ladder_against_a_wall_changes_with_its_angle_by_the_derivative_of_its_closed_form():
+    # x_wall = m g dt L cos θ / (2 (L sin θ + r)): the moments about the point where the ladder touches the floor.
+    angle, weight, L, r = np.radians(60), 10 * 9.81 * 0.01, 4.0, 0.05
+    exact = -weight * L / 2 * (L + r * np.sin(angle)) / (L * np.sin(angle) + r) ** 2
+    # Floor, its two tangents (the first points along the wall's normal), wall.
+    assert np.allclose(example("gradient_pose").main(angle), [0, -exact, 0, exact], atol=1e-7)
+
+
 @pytest.mark.parametrize("scene, step", [("stack", 1), ("dominoes", 5), ("bridge", 3), ("chain", 5), ("ragdoll", 10)])
 def test_the_motion_of_a_scene_changes_by_its_derivative(scene, step, tmp_path):
     # In the stack and the dominoes four corners share a load: only the motion has a derivative.
