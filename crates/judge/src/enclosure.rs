@@ -25,7 +25,9 @@ use crate::inverse::inverse;
 use crate::residual::Rows;
 
 /// Each step gains the digits that double precision leaves of the condition number.
-const STEPS: usize = 3;
+const MOST_STEPS: usize = 4;
+/// A step is not worth taking if it is smaller than this fraction of those before.
+const LAST_STEP: f64 = 1e-10;
 /// The unit roundoff.
 const U: f64 = f64::EPSILON / 2.0;
 /// More than all rounding errors of a sum of up to 100,000 positive numbers.
@@ -68,9 +70,10 @@ impl Form {
         let (mut sum, mut size) = (Sum::default(), self.constant.abs());
         sum.add_product(self.constant, 1.0);
         for &(j, a) in &self.terms {
-            sum.add_product(a, start[j]);
-            sum.add_product(a, shift[j]);
-            size += (a * start[j]).abs() + (a * shift[j]).abs();
+            for x in [start[j], shift[j]].into_iter().filter(|x| *x != 0.0) {
+                sum.add_product(a, x);
+                size += (a * x).abs();
+            }
         }
         let products = (2 * self.terms.len() + 1) as f64 * U;
         let error = 2.0 * U * sum.value().abs() + 4.0 * products * products * size;
@@ -142,19 +145,22 @@ impl<'a> System<'a> {
         matrix: &[Vec<f64>],
         inverse: &[Vec<f64>],
     ) -> Option<Solution<'_, 'a>> {
+        let largest = |of: &[f64]| of.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
         let mut shift = vec![0.0; x.len()];
-        for _ in 0..STEPS {
-            let left = self.left(&shift)?;
-            for (row, &i) in inverse.iter().zip(&self.unknowns) {
-                shift[i] -= row.iter().zip(&left).map(|(r, (left, _))| r * left).sum::<f64>();
+        let mut left = self.left(&shift)?;
+        for _ in 0..MOST_STEPS {
+            let entry = |row: &Vec<f64>| row.iter().zip(&left).map(|(r, (left, _))| r * left).sum();
+            let step: Vec<f64> = inverse.iter().map(entry).collect();
+            if largest(&step) <= LAST_STEP * largest(&shift) {
+                break;
             }
+            self.unknowns.iter().zip(step).for_each(|(&i, step)| shift[i] -= step);
+            left = self.left(&shift)?;
         }
-        let left: Vec<f64> =
-            self.left(&shift)?.into_iter().map(|(left, error)| left.abs() + error).collect();
+        let left: Vec<f64> = left.into_iter().map(|(left, error)| left.abs() + error).collect();
         let misses: Vec<f64> = inverse.iter().map(|row| miss(row, &left)).collect();
         let parts: Vec<f64> =
             inverse.iter().enumerate().map(|(i, row)| rest(i, row, matrix)).collect();
-        let largest = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
         let contraction = largest(&parts);
         if !(contraction < 0.5) || shift.iter().any(|shift| !shift.is_finite()) {
             return None;
