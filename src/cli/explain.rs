@@ -111,9 +111,9 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
     if frames.len() < 2 {
         return Ok(None);
     }
-    let strip = Strip::new(&scene, frames).with_forces();
-    let caption = "The bodies before the step and after it, with the forces of contacts and joints; an impulse is drawn as its \
-                   average force over the step.";
+    let mut strip = Strip::new(&scene, frames).with_forces();
+    strip.title = "Before and after the step, with the forces of contacts and joints".into();
+    let caption = "An impulse is drawn as its average force over the step.";
     let (svg, narrow) = (strip.svg(), strip.narrow());
     Ok(Some(Picture { svg, narrow, caption: caption.into(), ..Picture::default() }))
 }

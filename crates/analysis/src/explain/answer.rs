@@ -3,8 +3,8 @@
 use super::units::{Units, with_unit};
 use lcplab_judge::{Demand, Verdict, judge, upper_bound};
 use lcplab_lcp::Lcp;
-use lcplab_page::document::Section;
-use lcplab_page::document::notation::{indexed, interval, plain, settled};
+use lcplab_page::document::notation::{indexed, plain, settled};
+use lcplab_page::document::{Block, Section};
 use lcplab_solver::Solution;
 
 /// A problem with the meaning of its rows.
@@ -29,13 +29,15 @@ pub(super) fn section(reading: &Reading, solution: &Solution, demand: &Demand) -
         vec![
             with_unit(&i.to_string(), &reading.labels[i]),
             format!("{} = {value}", indexed("x", i)),
-            interval(lo, hi),
             format!("{} = {rate}", indexed("w", i)),
-            meaning(x[i], lo, hi).to_string(),
+            condition(i, x[i], lo, hi),
         ]
     };
-    let columns = ["row", "x", "bounds", "w = A x + b", "condition on w, up to the tolerance"];
+    let columns = ["row", "x", "w = A x + b", "condition"];
     section.table("x and w, row by row", &columns, (0..lcp.len()).map(line).collect());
+    if let Some(Block::Table(table)) = section.blocks.last_mut() {
+        table.keeps_columns = true;
+    }
     section.say(word(&certificate.verdict, certificate.scaled_residual));
     (section, certificate.verdict.is_solution())
 }
@@ -52,28 +54,35 @@ fn sizes(lcp: &Lcp, x: &[f64]) -> Vec<f64> {
 /// The judge's verdict.
 pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
     let verdict = match verdict {
-        Verdict::Proved { distance: 0.0 } => "proved, x is an exact solution".into(),
+        Verdict::Proved { distance: 0.0 } => "proved: x is an exact solution".into(),
         Verdict::Proved { distance } => {
             let most = upper_bound(*distance);
             format!(
-                "proved, an exact solution exists; no entry of x differs from it by more than {most}"
+                "proved: an exact solution exists, and no entry of x differs from it by more than {most}"
             )
         }
         other => other.to_string(),
     };
     format!(
-        "The judge sees A, b, the bounds and x, but not the solver. Its verdict: {verdict}. The scaled residual, \
-         which is the error of the worst row relative to the size of its terms, is {}.",
+        "The judge sees A, b, the bounds and x, but not the solver. Its verdict is {verdict}. The error of the worst \
+         row relative to the size of its terms, the scaled residual, is {}.",
         plain(scaled_residual)
     )
 }
 
-/// The requirement on w that follows from the position of x within its bounds.
-fn meaning(x: f64, lo: f64, hi: f64) -> &'static str {
+/// The position of x within its bounds, and the requirement on w that follows from it.
+fn condition(i: usize, x: f64, lo: f64, hi: f64) -> String {
+    let (w, lower, upper) = (indexed("w", i), plain(lo), plain(hi));
+    let own = indexed("x", i);
     match x {
-        _ if lo == hi => "any w: lo = hi",
-        x if x == lo => "w ≥ 0: x is at its lower bound",
-        x if x == hi => "w ≤ 0: x is at its upper bound",
-        _ => "w = 0: x is between its bounds",
+        _ if lo == hi => format!("{own} = {lower}, {w} arbitrary"),
+        x if x == lo => format!("{own} = {lower}, so {w} ≥ 0"),
+        x if x == hi => format!("{own} = {upper}, so {w} ≤ 0"),
+        _ => match (lo.is_finite(), hi.is_finite()) {
+            (true, true) => format!("{lower} < {own} < {upper}, so {w} = 0"),
+            (true, false) => format!("{own} > {lower}, so {w} = 0"),
+            (false, true) => format!("{own} < {upper}, so {w} = 0"),
+            (false, false) => format!("{own} has no bounds, so {w} = 0"),
+        },
     }
 }

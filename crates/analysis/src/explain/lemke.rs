@@ -5,7 +5,6 @@ use std::ops::ControlFlow;
 
 use super::answer::Reading;
 use super::solve::{self, Scribe};
-use super::units::with_unit;
 use lcplab_lcp::Lcp;
 use lcplab_page::document::notation::{exact, indexed};
 use lcplab_page::document::{Block, Formula, SHOWN, Section, Table};
@@ -43,37 +42,29 @@ impl<'a> Tableaux<'a> {
         }
     }
 
-    fn unit(&self, variable: Variable) -> String {
-        let units = &self.reading.units;
-        match variable {
-            Variable::Y(i) | Variable::T(i) => units.x[i].clone(),
-            Variable::W(i) | Variable::V(i) => units.w[i].clone(),
-            Variable::Cover => with_unit("", &units.of_w()).trim_start().to_string(),
-        }
-    }
-
     fn write(&mut self, own: &Tableau<'_>) {
         let rows = chosen(own.pairs, leaving_row(own));
         let columns = chosen(own.nonbasic.len(), own.entering);
         let heading = |&c: &usize| self.name(own.nonbasic[c]);
-        let headings = ["basic", "value", "unit"].map(String::from).into_iter();
+        let headings = ["basic", "value"].map(String::from).into_iter();
+        let ratios = own.entering.is_some().then(|| "ratio".to_string());
         let line = |&r: &usize| {
-            let own_cells =
-                [self.name(own.basic[r]), exact(own.constant[r]), self.unit(own.basic[r])];
+            let own_cells = [self.name(own.basic[r]), exact(own.constant[r])];
             let is_pivot = |c: usize| own.entering == Some(c) && leaving_row(own) == Some(r);
             let entries = columns.iter().map(|&c| match is_pivot(c) {
                 true => format!("[{}]", exact(own.rows[r][c])),
                 false => exact(own.rows[r][c]),
             });
-            own_cells.into_iter().chain(entries).chain([ratio(own, r)]).collect()
+            own_cells
+                .into_iter()
+                .chain(entries)
+                .chain(ratios.is_some().then(|| ratio(own, r)))
+                .collect()
         };
         let table = Table {
             title: format!("tableau {}: {}", self.tableaux, self.step(own)),
-            columns: headings
-                .chain(columns.iter().map(heading))
-                .chain(["ratio".to_string()])
-                .collect(),
             rows: rows.iter().map(line).collect(),
+            columns: headings.chain(columns.iter().map(heading)).chain(ratios.clone()).collect(),
             left_out: own.pairs - rows.len(),
             chosen: leaving_row(own).and_then(|leaving| rows.iter().position(|r| *r == leaving)),
             keeps_columns: true,
@@ -111,12 +102,11 @@ impl<'a> Tableaux<'a> {
 /// What the method does, and how a tableau is read.
 fn introduce(section: &mut Section, lcp: &Lcp) {
     section.say(
-        "A covering variable z makes every w nonnegative. A tableau expresses the basic variables in \
-         terms of the nonbasic ones, which are 0, so its first column has the values of the basic \
-         variables. z enters first and increases until no w is negative, which is the largest ratio. \
-         After that, the complement of the variable that has just left enters and increases until the \
-         first basic variable reaches 0, which is the smallest ratio. When z leaves, x is a solution. \
-         The pivot is in brackets, and ← marks the row of the leaving variable. Ties are broken lexicographically.",
+        "A covering variable z makes every w nonnegative. Each tableau expresses the basic variables by the \
+         others, which are 0. z enters first and increases until no w is negative: the largest ratio. Then the \
+         complement of the variable that has just left enters, and increases until a basic variable reaches 0: \
+         the smallest ratio. When z leaves, x is the solution. ← marks the leaving variable, brackets the pivot. \
+         Ties are broken lexicographically.",
     );
     section.formula(Formula::default().symbols(
         "w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0",
@@ -166,12 +156,7 @@ fn ratio(own: &Tableau<'_>, r: usize) -> String {
         return String::new();
     }
     let mark = if leaving_row(own) == Some(r) { " ←" } else { "" };
-    let [value, divisor, ratio] = [value, divisor, value / divisor].map(exact);
-    let bracketed = |number: String| match number.contains('/') {
-        true => format!("({number})"),
-        false => number,
-    };
-    format!("{}/{} = {ratio}{mark}", bracketed(value), bracketed(divisor))
+    exact(value / divisor) + mark
 }
 
 impl Observer for Tableaux<'_> {

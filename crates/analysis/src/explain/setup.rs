@@ -10,8 +10,8 @@ use lcplab_mechanics::constraint::Kind;
 use lcplab_mechanics::formulation::{Posing, Problem, Stage};
 use lcplab_mechanics::scene::{Feedback, Scene};
 use lcplab_mechanics::simulation::Step;
+use lcplab_page::document::Section;
 use lcplab_page::document::notation::{interval, plain, settled, vector};
-use lcplab_page::document::{SHOWN, Section};
 
 /// s and u of the moving bodies, with this time as the title, and their masses and forces if a
 /// problem has them.
@@ -24,13 +24,6 @@ pub(super) fn states(
     let mut section = Section::new(when);
     let title = "the moving bodies before the step: positions, velocities, masses and forces";
     state_table(&mut section, title, scene, states, problem);
-    let is_fixed = |body: &&Body| body.mass == Mass::Fixed;
-    let fixed: Vec<&str> =
-        scene.bodies.iter().filter(is_fixed).take(SHOWN).map(|body| body.name.as_str()).collect();
-    if !fixed.is_empty() {
-        section
-            .say(format!("Fixed bodies have M⁻¹ = 0 and no columns in J: {}.", fixed.join(", ")));
-    }
     section
 }
 
@@ -135,6 +128,18 @@ fn triple(v: &Vector3<f64>) -> String {
     vector(v.as_slice())
 }
 
+/// The kinds of the rows and their bodies; the whole label of a row if that is not unique.
+pub(super) fn labels(scene: &Scene, rows: &[Row]) -> Vec<String> {
+    let word = |row: &Row| format!("{} {}", row.kind.name(), row.names(scene).join(" – "));
+    let words: Vec<String> = rows.iter().map(word).collect();
+    let label = |(row, own): (&Row, &String)| match words.iter().filter(|word| *word == own).count()
+    {
+        1 => own.clone(),
+        _ => row.label(scene),
+    };
+    rows.iter().zip(&words).map(label).collect()
+}
+
 /// c, J u, J'u and the bounds of every row.
 pub(super) fn rows(
     scene: &Scene,
@@ -151,6 +156,7 @@ pub(super) fn rows(
         section.say("c, J u, J'u and the bias of every row are now 0.");
         return section;
     }
+    let labels = labels(scene, rows);
     let line = |(i, row): (usize, &Row)| {
         let bounds = match lcp.coupling().and_then(|coupling| Some((coupling.index(i)?, coupling)))
         {
@@ -168,7 +174,7 @@ pub(super) fn rows(
         };
         vec![
             i.to_string(),
-            row.label(scene),
+            labels[i].clone(),
             plain(row.c),
             plain(row.velocity),
             plain(row.velocity_product),
@@ -191,8 +197,8 @@ pub(super) fn rows(
     ];
     if !is_again {
         section.say(
-            "c is the gap of a contact or the position error of a joint, J u its rate, and J'u, with J' = dJ/dt, the part \
-             of its second derivative that the velocities alone cause.",
+            "Rows are numbered from 0. c is the gap of a contact or the position error of a joint, J u its rate, and J'u, \
+             with J' = dJ/dt, the part of its second derivative that the velocities alone cause.",
         );
     }
     section.table("the rows", &columns, rows.iter().enumerate().map(line).collect());

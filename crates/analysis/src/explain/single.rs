@@ -130,8 +130,7 @@ impl Single<'_> {
     /// The problem's own LCP with the meaning of its rows.
     pub fn reading(&self) -> Reading<'_> {
         let problem = &self.own.problem;
-        let rows = problem.assembly.rows.iter();
-        let labels = rows.map(|row| row.label(self.scene)).collect();
+        let labels = setup::labels(self.scene, &problem.assembly.rows);
         let is_again = self.is_again;
         Reading { lcp: &problem.lcp, labels, units: Units::of(problem), is_again }
     }

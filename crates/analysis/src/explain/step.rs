@@ -35,7 +35,7 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
     }
     let name = if scene.title.is_empty() { &scene.name } else { &scene.title };
     let mut document = Document {
-        title: format!("{name}, at {} level, by {}", level.name(), method.name()),
+        title: name.clone(),
         lead: String::new(),
         sections: Vec::new(),
         is_accepted: true,
@@ -62,7 +62,7 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
                 } else {
                     String::new()
                 };
-                lead.push(found(&place, &step.solves));
+                lead.push(found(&place, level, &step.solves));
                 solves(&mut document, scene, method, &place, &step.solves, None)?;
                 let mut after = setup::after(scene, &states, &step);
                 after.title = format!("{place}{}", after.title);
@@ -79,7 +79,6 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
     }
     lead.retain(|words| !words.is_empty());
     lead.truncate(LISTED);
-    lead.push(CONVENTIONS.into());
     document.lead = lead.join(" ");
     Ok(document)
 }
@@ -90,11 +89,8 @@ const LISTED: usize = 2;
 /// Maximum number of rows of an x in the lead.
 const SHORT: usize = 6;
 
-const CONVENTIONS: &str = "Rows are numbered from 0. x ≥ 0 pushes the bodies of a row apart. w of a row is the \
- velocity of its second body relative to its first one, plus the bias.";
-
 /// The answers of a step in a sentence; empty if nothing was solved.
-fn found(place: &str, solves: &[Solve]) -> String {
+fn found(place: &str, level: Scheme, solves: &[Solve]) -> String {
     let mut solves = solves.iter().filter(|solve| !solve.problem.lcp.is_empty());
     let one = |own: &Solve| {
         let (stage, x) = (own.problem.stage, &own.solution.x);
@@ -117,7 +113,8 @@ fn found(place: &str, solves: &[Solve]) -> String {
     let parts: Vec<String> = solves.clone().map(one).collect();
     match solves.next_back() {
         Some(last) => {
-            capitalized(&format!("{place}{} finds {}.", last.solver, parts.join(", then ")))
+            let words = [place, level.name(), " level: ", &last.solver, " finds "].concat();
+            capitalized(&format!("{words}{}.", parts.join(", then ")))
         }
         None => String::new(),
     }

@@ -60,12 +60,6 @@ impl<'a> Columns<'a> {
         formula.matrix(rows, self.kept.len(), |i, k| self.jacobian[i][k])
     }
 
-    /// Adds Jᵀ.
-    pub(crate) fn j_transposed(&self, formula: Formula) -> Formula {
-        let rows = self.problem.assembly.rows.len();
-        formula.matrix(self.kept.len(), rows, |k, i| self.jacobian[i][k])
-    }
-
     /// Adds M⁻¹.
     pub fn inverse_mass(&self, formula: Formula) -> Formula {
         let column = |&column: &usize| {
@@ -77,16 +71,28 @@ impl<'a> Columns<'a> {
         formula.matrix(self.kept.len(), self.kept.len(), |i, j| columns[j][i])
     }
 
-    /// The names of the kept columns, such as `v_z of bottom`.
-    pub fn names(&self, scene: &Scene) -> String {
+    /// u with the names of the kept columns, such as v_z of the body bottom.
+    pub fn names(&self, scene: &Scene) -> Formula {
         let name = |&column: &usize| {
             let (body, k) = component(self.problem, column);
-            let part = ["v_x", "v_y", "v_z", "ω_x", "ω_y", "ω_z"][k];
-            format!("{part} of {}", scene.bodies[body].name)
+            let (letter, axis) = (["v", "ω"][k / 3], ["x", "y", "z"][k % 3]);
+            let latex = ["v", "\\omega"][k / 3];
+            let body = &scene.bodies[body].name;
+            let word: String =
+                body.chars().filter(|c| c.is_alphanumeric() || " -.".contains(*c)).collect();
+            (format!("{letter}_{axis} of {body}"), format!("{latex}_{axis} \\text{{ of {word}}}"))
         };
-        let shown: Vec<String> = self.kept.iter().take(SHOWN).map(name).collect();
-        let more = if self.kept.len() > SHOWN { ", …" } else { "" };
-        shown.join(", ") + more
+        let (mut text, mut latex): (Vec<_>, Vec<_>) =
+            self.kept.iter().take(SHOWN).map(name).unzip();
+        if self.kept.len() > SHOWN {
+            text.push("…".into());
+            latex.push("\\vdots".into());
+        }
+        let rows = latex.join(" \\\\ ");
+        Formula::default().symbols(
+            &format!("u = [{}]", text.join(", ")),
+            &format!("u = \\begin{{bmatrix}} {rows} \\end{{bmatrix}}"),
+        )
     }
 }
 

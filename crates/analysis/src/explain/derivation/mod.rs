@@ -16,9 +16,6 @@ use lcplab_mechanics::scene::Scene;
 use lcplab_page::document::{Formula, Section};
 pub(super) use motion::motion;
 
-/// Maximum number of rows or columns for which matrices are written side by side.
-const SIDE_BY_SIDE: usize = 6;
-
 /// The four steps; for another friction model, its law follows later.
 pub(super) fn newton_to_lcp(
     scene: &Scene,
@@ -37,17 +34,11 @@ pub(super) fn newton_to_lcp(
         statement::right_side(&mut section, &columns, units);
         return section;
     }
-    let all = problem.assembly.columns();
-    let left_out = all - columns.kept.len();
-    let verb = if columns.kept.len() == 1 { "column is" } else { "columns are" };
-    let names = format!("{verb} {}", columns.names(scene));
-    section.say(match left_out {
-        0 => format!("The {names}."),
-        1 => format!("One of the {all} columns of J is 0 and is not shown. The other {names}."),
-        _ => format!(
-            "{left_out} of the {all} columns of J are 0 and are not shown. The other {names}."
-        ),
+    section.say(match problem.assembly.columns() - columns.kept.len() {
+        0 => "The velocity components of the moving bodies:".into(),
+        more => format!("The velocity components that occur in a row; {more} others do not:"),
     });
+    section.formula(columns.names(scene));
     if !problem.slides.is_empty() {
         sliding::substitution(&mut section, scene, problem);
     }
@@ -55,7 +46,7 @@ pub(super) fn newton_to_lcp(
     inverse_mass(&mut section, &columns);
     constraint(&mut section, &columns);
     jacobian(&mut section, &columns, units);
-    insertion(&mut section, &columns, units);
+    insertion(&mut section, problem);
     statement::lcp(&mut section, &columns, posing, units);
     section
 }
@@ -155,31 +146,14 @@ fn jacobian(section: &mut Section, columns: &Columns, units: &Units) {
 }
 
 /// Step 3: the motion substituted into the constraint.
-fn insertion(section: &mut Section, columns: &Columns, units: &Units) {
-    let (target, latex) = target(columns.problem.stage);
-    let x = effort(columns.problem);
+fn insertion(section: &mut Section, problem: &Problem) {
+    let (target, latex) = target(problem.stage);
+    let x = effort(problem);
     section.say("3. Equation 1 is substituted into equation 2.");
     section.formula(Formula::default().symbols(
-        &format!("w = J ({target} + M⁻¹Jᵀ {x}) + bias = J M⁻¹Jᵀ {x} + J {target} + bias"),
-        &format!(
-            "w = J \\left( {latex} + M^{{-1}} J^T {x} \\right) + \\mathrm{{bias}} \
-             = J M^{{-1}} J^T {x} + J {latex} + \\mathrm{{bias}}"
-        ),
+        &format!("w = J M⁻¹Jᵀ {x} + J {target} + bias"),
+        &format!("w = J M^{{-1}} J^T {x} + J {latex} + \\mathrm{{bias}}"),
     ));
-    let problem = columns.problem;
-    if problem.assembly.rows.len().max(columns.kept.len()) > SIDE_BY_SIDE {
-        section.say(
-            "J, M⁻¹ and the bias are given above; they are too wide to be shown side by side.",
-        );
-        return;
-    }
-    let product = columns.j(Formula::default().symbols("J M⁻¹Jᵀ =", "J M^{-1} J^T ="));
-    section.formula(columns.j_transposed(columns.inverse_mass(product)));
-    let name = [format!("J {target} ="), format!("J {latex} =")];
-    let product = columns.j(Formula::default().symbols(&name[0], &name[1]));
-    let pushed = problem.assembly.push_forward(&problem.target);
-    let numbers = product.vector(&columns.pick(&problem.target)).symbols("=", "=").vector(&pushed);
-    section.formula(numbers.unit(units.of_w()));
 }
 
 /// The motion that the rows constrain.

@@ -17,7 +17,7 @@ fn a_bounce_is_a_second_lcp_with_half_of_the_speed_as_its_wish() {
     Constraints
       Restitution, the rows
         row   constraint               c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
-          0   normal ground ball 0   0.03924     −7.7499            0     −3.87495   [0, ∞)
+          0   normal ground – ball   0.03924     −7.7499            0     −3.87495   [0, ∞)
     Contacts bounce if they have an impulse in the first answer and approached at 0.1 m/s or faster.
     They have the bias e J u with e = 0.5 and J u from the table, so w = J u⁺ + e J u ≥ 0 requires a
     separation at e times the approach speed. The other rows keep their bias.

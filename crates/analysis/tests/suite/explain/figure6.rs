@@ -17,20 +17,21 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
       The moving bodies before the step: positions, velocities, masses and forces
         body   p (m)       v (m/s)      m (kg)   force (N)
         body   (0, 0, 0)   (0, 0, −1)        1   (0, 0, −1)
-    Fixed bodies have M⁻¹ = 0 and no columns in J: ground.
 
     Constraints
-    c is the gap of a contact or the position error of a joint, J u its rate, and J'u, with J' =
-    dJ/dt, the part of its second derivative that the velocities alone cause.
+    Rows are numbered from 0. c is the gap of a contact or the position error of a joint, J u its
+    rate, and J'u, with J' = dJ/dt, the part of its second derivative that the velocities alone
+    cause.
       Impulses, the rows
         row   constraint             c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
-          0   normal ground body 0       0          −1            0            0   [0, ∞)
+          0   normal ground – body       0          −1            0            0   [0, ∞)
     The bias is the feedback of errors. A position error c is multiplied by β/dt = 0/(1 s) = 0 s⁻¹,
     and a gap c > 0 of a contact by 1/dt, so that the gap can close within the step but not become
     an overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
     From Newton's law to the LCP
-    2 of the 3 columns of J are 0 and are not shown. The other column is v_z of body.
+    The velocity components that occur in a row; 2 others do not:
+        u = [v_z of body]
     1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
     the rows act along Jᵀ and change them.
         u⁺ = u* + M⁻¹Jᵀ x,   u* = u + dt M⁻¹F
@@ -41,9 +42,7 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
         w = J u⁺ + bias
         J = [ 1 ] ,   bias = [ 0 ]   m/s
     3. Equation 1 is substituted into equation 2.
-        w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
-        J M⁻¹Jᵀ = [ 1 ] [ 1 ] [ 1 ]
-        J u* = [ 1 ] [ −2 ] = [ −2 ]   m/s
+        w = J M⁻¹Jᵀ x + J u* + bias
     4. The factor of x is A, and the rest is b: w = A x + b.
     Figure 4 of K&M (Kenwright & Morgan) prints b with the opposite sign, which would double the
     velocity of the body instead of stopping it (`lcplab chapter E22`).
@@ -69,11 +68,11 @@ fn figure_6_at_velocity_level_gives_two_newton_seconds() {
 
     The answer
       Impulses, x and w, row by row
-        row                      x            bounds   w = A x + b   condition on w, up to the tolerance
-        0 normal ground body 0   x₀ = 2 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
-    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
-    solution. The scaled residual, which is the error of the worst row relative to the size of its
-    terms, is 0.
+        row                      x            w = A x + b   condition
+        0 normal ground – body   x₀ = 2 N s   w₀ = 0 m/s    x₀ > 0, so w₀ = 0
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict is proved: x is an exact
+    solution. The error of the worst row relative to the size of its terms, the scaled residual, is
+    0.
 
     The new motion
         u⁺ = u* + M⁻¹Jᵀ x = [ −2 ] + [ 2 ] = [ 0 ]   m/s
@@ -94,7 +93,8 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
     let text = sections(&document, &["Newton", "move by move", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     From Newton's law to the LCP
-    2 of the 3 columns of J are 0 and are not shown. The other column is v_z of body.
+    The velocity components that occur in a row; 2 others do not:
+        u = [v_z of body]
     1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
     act.
         u⁺ = u* + M⁻¹Jᵀ x
@@ -105,9 +105,7 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
         w = J u⁺ + bias
         J = [ 1 ] ,   bias = [ 0 ]   m/s
     3. Equation 1 is substituted into equation 2.
-        w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
-        J M⁻¹Jᵀ = [ 1 ] [ 1 ] [ 1 ]
-        J u* = [ 1 ] [ −1 ] = [ −1 ]   m/s
+        w = J M⁻¹Jᵀ x + J u* + bias
     4. The factor of x is A, and the rest is b: w = A x + b.
         A = J M⁻¹Jᵀ = [ 1 ]   1/kg
         b = J u* + bias = [ −1 ] + [ 0 ] = [ −1 ]   m/s
@@ -132,11 +130,11 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
 
     The answer
       Impact, x and w, row by row
-        row                      x            bounds   w = A x + b   condition on w, up to the tolerance
-        0 normal ground body 0   x₀ = 1 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
-    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
-    solution. The scaled residual, which is the error of the worst row relative to the size of its
-    terms, is 0.
+        row                      x            w = A x + b   condition
+        0 normal ground – body   x₀ = 1 N s   w₀ = 0 m/s    x₀ > 0, so w₀ = 0
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict is proved: x is an exact
+    solution. The error of the worst row relative to the size of its terms, the scaled residual, is
+    0.
 
     The new motion
         u⁺ = u* + M⁻¹Jᵀ x = [ −1 ] + [ 1 ] = [ 0 ]   m/s
@@ -165,11 +163,11 @@ fn figure_6_at_acceleration_level_is_a_blow_and_then_the_weight() {
 
     The answer
       Forces, x and w, row by row
-        row                      x          bounds   w = A x + b   condition on w, up to the tolerance
-        0 normal ground body 0   x₀ = 1 N   [0, ∞)   w₀ = 0 m/s²   w = 0: x is between its bounds
-    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
-    solution. The scaled residual, which is the error of the worst row relative to the size of its
-    terms, is 0.
+        row                      x          w = A x + b   condition
+        0 normal ground – body   x₀ = 1 N   w₀ = 0 m/s²   x₀ > 0, so w₀ = 0
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict is proved: x is an exact
+    solution. The error of the worst row relative to the size of its terms, the scaled residual, is
+    0.
 
     The new motion
         u' = a* + M⁻¹Jᵀ x = [ −1 ] + [ 1 ] = [ 0 ]   m/s²

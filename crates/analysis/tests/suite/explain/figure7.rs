@@ -11,20 +11,21 @@ fn figure_7_at_velocity_level_by_sweeps() {
     let text = sections(&document, &["constraints", "Newton", "row by row"]);
     insta::assert_snapshot!(text, @r"
     Constraints
-    c is the gap of a contact or the position error of a joint, J u its rate, and J'u, with J' =
-    dJ/dt, the part of its second derivative that the velocities alone cause.
+    Rows are numbered from 0. c is the gap of a contact or the position error of a joint, J u its
+    rate, and J'u, with J' = dJ/dt, the part of its second derivative that the velocities alone
+    cause.
       Impulses, the rows
         row   constraint               c (m)   J u (m/s)   J'u (m/s²)   bias (m/s)   bounds of x (N s)
-          0   normal ground bottom 0       0           0            0            0   [0, ∞)
-          1   normal bottom middle 0       0          −1            0            0   [0, ∞)
-          2   normal middle top 0          0           1            0            0   [0, ∞)
+          0   normal ground – bottom       0           0            0            0   [0, ∞)
+          1   normal bottom – middle       0          −1            0            0   [0, ∞)
+          2   normal middle – top          0           1            0            0   [0, ∞)
     The bias is the feedback of errors. A position error c is multiplied by β/dt = 0/(1 s) = 0 s⁻¹,
     and a gap c > 0 of a contact by 1/dt, so that the gap can close within the step but not become
     an overlap. The bias of a friction row is 0, that of a motor the negative target speed.
 
     From Newton's law to the LCP
-    15 of the 18 columns of J are 0 and are not shown. The other columns are v_z of bottom, v_z of
-    middle, v_z of top.
+    The velocity components that occur in a row; 15 others do not:
+        u = [v_z of bottom, v_z of middle, v_z of top]
     1. Newton's law over the step. Without constraints the velocities would be u*. The impulses x of
     the rows act along Jᵀ and change them.
         u⁺ = u* + M⁻¹Jᵀ x,   u* = u + dt M⁻¹F
@@ -41,13 +42,7 @@ fn figure_7_at_velocity_level_by_sweeps() {
         J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s
             ⎣  0  −1  1 ⎦            ⎣ 0 ⎦
     3. Equation 1 is substituted into equation 2.
-        w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
-                  ⎡  1   0  0 ⎤ ⎡ 1  0  0 ⎤ ⎡ 1  −1   0 ⎤
-        J M⁻¹Jᵀ = ⎢ −1   1  0 ⎥ ⎢ 0  1  0 ⎥ ⎢ 0   1  −1 ⎥
-                  ⎣  0  −1  1 ⎦ ⎣ 0  0  1 ⎦ ⎣ 0   0   1 ⎦
-               ⎡  1   0  0 ⎤ ⎡ −1 ⎤   ⎡ −1 ⎤
-        J u* = ⎢ −1   1  0 ⎥ ⎢ −2 ⎥ = ⎢ −1 ⎥   m/s
-               ⎣  0  −1  1 ⎦ ⎣ −1 ⎦   ⎣  1 ⎦
+        w = J M⁻¹Jᵀ x + J u* + bias
     4. The factor of x is A, and the rest is b: w = A x + b.
     Figure 4 of K&M (Kenwright & Morgan) prints b with the opposite sign, which would double the
     velocity of the body instead of stopping it (`lcplab chapter E22`).
@@ -149,13 +144,13 @@ fn figure_7_by_the_moves_of_dantzig() {
 
     The answer
       Impulses, x and w, row by row
-        row                        x            bounds   w = A x + b   condition on w, up to the tolerance
-        0 normal ground bottom 0   x₀ = 4 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
-        1 normal bottom middle 0   x₁ = 3 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
-        2 normal middle top 0      x₂ = 1 N s   [0, ∞)   w₂ = 0 m/s    w = 0: x is between its bounds
-    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
-    solution. The scaled residual, which is the error of the worst row relative to the size of its
-    terms, is 0.
+        row                        x            w = A x + b   condition
+        0 normal ground – bottom   x₀ = 4 N s   w₀ = 0 m/s    x₀ > 0, so w₀ = 0
+        1 normal bottom – middle   x₁ = 3 N s   w₁ = 0 m/s    x₁ > 0, so w₁ = 0
+        2 normal middle – top      x₂ = 1 N s   w₂ = 0 m/s    x₂ > 0, so w₂ = 0
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict is proved: x is an exact
+    solution. The error of the worst row relative to the size of its terms, the scaled residual, is
+    0.
 
     The new motion
                             ⎡ −1 ⎤   ⎡ 1 ⎤   ⎡ 0 ⎤
@@ -181,39 +176,37 @@ fn figure_7_by_the_pivots_of_lemke() {
     let text = sections(&document, &["tableau by tableau"]);
     insta::assert_snapshot!(text, @r"
     Lemke's method, tableau by tableau
-    A covering variable z makes every w nonnegative. A tableau expresses the basic variables in
-    terms of the nonbasic ones, which are 0, so its first column has the values of the basic
-    variables. z enters first and increases until no w is negative, which is the largest ratio.
-    After that, the complement of the variable that has just left enters and increases until the
-    first basic variable reaches 0, which is the smallest ratio. When z leaves, x is a solution. The
-    pivot is in brackets, and ← marks the row of the leaving variable. Ties are broken
-    lexicographically.
+    A covering variable z makes every w nonnegative. Each tableau expresses the basic variables by
+    the others, which are 0. z enters first and increases until no w is negative: the largest ratio.
+    Then the complement of the variable that has just left enters, and increases until a basic
+    variable reaches 0: the smallest ratio. When z leaves, x is the solution. ← marks the leaving
+    variable, brackets the pivot. Ties are broken lexicographically.
         w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0
       Impulses, tableau 1: z enters, w₁ leaves
-        basic   value   unit   x₀   x₁   x₂     z   ratio
-        w₀         −1   m/s     1   −1    0     1   1/1 = 1
-        w₁         −1   m/s    −1    2   −1   [1]   1/1 = 1 ←
-        w₂          1   m/s     0   −1    2     1   −1/1 = −1
+        basic   value   x₀   x₁   x₂     z   ratio
+        w₀         −1    1   −1    0     1   1
+        w₁         −1   −1    2   −1   [1]   1 ←
+        w₂          1    0   −1    2     1   −1
       Impulses, tableau 2: x₁ enters, w₀ leaves
-        basic   value   unit   x₀     x₁   x₂   w₁   ratio
-        w₀          0   m/s     2   [−3]    1    1   0/3 = 0 ←
-        z           1   m/s     1     −2    1    1   1/2 = 0.5
-        w₂          2   m/s     1     −3    3    1   2/3 = 2/3
+        basic   value   x₀     x₁   x₂   w₁   ratio
+        w₀          0    2   [−3]    1    1   0 ←
+        z           1    1     −2    1    1   0.5
+        w₂          2    1     −3    3    1   2/3
       Impulses, tableau 3: x₀ enters, w₂ leaves
-        basic   value   unit     x₀     w₀    x₂    w₁   ratio
-        x₁          0   N s     2/3   −1/3   1/3   1/3
-        z           1   m/s    −1/3    2/3   1/3   1/3   1/(1/3) = 3
-        w₂          2   m/s    [−1]      1     2     0   2/1 = 2 ←
+        basic   value     x₀     w₀    x₂    w₁   ratio
+        x₁          0    2/3   −1/3   1/3   1/3
+        z           1   −1/3    2/3   1/3   1/3   3
+        w₂          2   [−1]      1     2     0   2 ←
       Impulses, tableau 4: x₂ enters, z leaves
-        basic   value   unit     w₂    w₀       x₂    w₁   ratio
-        x₁        4/3   N s    −2/3   1/3      5/3   1/3
-        z         1/3   m/s     1/3   1/3   [−1/3]   1/3   (1/3)/(1/3) = 1 ←
-        x₀          2   N s      −1     1        2     0
+        basic   value     w₂    w₀       x₂    w₁   ratio
+        x₁        4/3   −2/3   1/3      5/3   1/3
+        z         1/3    1/3   1/3   [−1/3]   1/3   1 ←
+        x₀          2     −1     1        2     0
       Impulses, tableau 5: z is 0: solved
-        basic   value   unit   w₂   w₀    z   w₁   ratio
-        x₁          3   N s     1    2   −5    2
-        x₂          1   N s     1    1   −3    1
-        x₀          4   N s     1    3   −6    2
+        basic   value   w₂   w₀    z   w₁
+        x₁          3    1    2   −5    2
+        x₂          1    1    1   −3    1
+        x₀          4    1    3   −6    2
     lemke ends after 4 iterations with x = (4, 3, 1) N s: solved.
     ");
 }
@@ -226,8 +219,8 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
     let text = sections(&document, &["forces: constraints", "Newton", "answer", "motion"]);
     insta::assert_snapshot!(text, @r"
     From Newton's law to the LCP
-    15 of the 18 columns of J are 0 and are not shown. The other columns are v_z of bottom, v_z of
-    middle, v_z of top.
+    The velocity components that occur in a row; 15 others do not:
+        u = [v_z of bottom, v_z of middle, v_z of top]
     1. Newton's law over an instant. Only the impulses x of the rows matter; forces have no time to
     act.
         u⁺ = u* + M⁻¹Jᵀ x
@@ -244,13 +237,7 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
         J = ⎢ −1   1  0 ⎥ ,   bias = ⎢ 0 ⎥   m/s
             ⎣  0  −1  1 ⎦            ⎣ 0 ⎦
     3. Equation 1 is substituted into equation 2.
-        w = J (u* + M⁻¹Jᵀ x) + bias = J M⁻¹Jᵀ x + J u* + bias
-                  ⎡  1   0  0 ⎤ ⎡ 1  0  0 ⎤ ⎡ 1  −1   0 ⎤
-        J M⁻¹Jᵀ = ⎢ −1   1  0 ⎥ ⎢ 0  1  0 ⎥ ⎢ 0   1  −1 ⎥
-                  ⎣  0  −1  1 ⎦ ⎣ 0  0  1 ⎦ ⎣ 0   0   1 ⎦
-               ⎡  1   0  0 ⎤ ⎡  0 ⎤   ⎡  0 ⎤
-        J u* = ⎢ −1   1  0 ⎥ ⎢ −1 ⎥ = ⎢ −1 ⎥   m/s
-               ⎣  0  −1  1 ⎦ ⎣  0 ⎦   ⎣  1 ⎦
+        w = J M⁻¹Jᵀ x + J u* + bias
     4. The factor of x is A, and the rest is b: w = A x + b.
                       ⎡  1  −1   0 ⎤
         A = J M⁻¹Jᵀ = ⎢ −1   2  −1 ⎥   1/kg
@@ -262,13 +249,13 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
 
     The answer
       Impact, x and w, row by row
-        row                        x            bounds   w = A x + b   condition on w, up to the tolerance
-        0 normal ground bottom 0   x₀ = 1 N s   [0, ∞)   w₀ = 0 m/s    w = 0: x is between its bounds
-        1 normal bottom middle 0   x₁ = 1 N s   [0, ∞)   w₁ = 0 m/s    w = 0: x is between its bounds
-        2 normal middle top 0      x₂ = 0 N s   [0, ∞)   w₂ = 0 m/s    w ≥ 0: x is at its lower bound
-    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
-    solution. The scaled residual, which is the error of the worst row relative to the size of its
-    terms, is 0.
+        row                        x            w = A x + b   condition
+        0 normal ground – bottom   x₀ = 1 N s   w₀ = 0 m/s    x₀ > 0, so w₀ = 0
+        1 normal bottom – middle   x₁ = 1 N s   w₁ = 0 m/s    x₁ > 0, so w₁ = 0
+        2 normal middle – top      x₂ = 0 N s   w₂ = 0 m/s    x₂ = 0, so w₂ ≥ 0
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict is proved: x is an exact
+    solution. The error of the worst row relative to the size of its terms, the scaled residual, is
+    0.
 
     The new motion
                             ⎡  0 ⎤   ⎡ 0 ⎤   ⎡ 0 ⎤
@@ -295,13 +282,13 @@ fn figure_7_at_acceleration_level_is_a_blow_and_then_the_weights() {
 
     The answer
       Forces, x and w, row by row
-        row                        x          bounds   w = A x + b   condition on w, up to the tolerance
-        0 normal ground bottom 0   x₀ = 3 N   [0, ∞)   w₀ = 0 m/s²   w = 0: x is between its bounds
-        1 normal bottom middle 0   x₁ = 2 N   [0, ∞)   w₁ = 0 m/s²   w = 0: x is between its bounds
-        2 normal middle top 0      x₂ = 1 N   [0, ∞)   w₂ = 0 m/s²   w = 0: x is between its bounds
-    The judge sees A, b, the bounds and x, but not the solver. Its verdict: proved, x is an exact
-    solution. The scaled residual, which is the error of the worst row relative to the size of its
-    terms, is 0.
+        row                        x          w = A x + b   condition
+        0 normal ground – bottom   x₀ = 3 N   w₀ = 0 m/s²   x₀ > 0, so w₀ = 0
+        1 normal bottom – middle   x₁ = 2 N   w₁ = 0 m/s²   x₁ > 0, so w₁ = 0
+        2 normal middle – top      x₂ = 1 N   w₂ = 0 m/s²   x₂ > 0, so w₂ = 0
+    The judge sees A, b, the bounds and x, but not the solver. Its verdict is proved: x is an exact
+    solution. The error of the worst row relative to the size of its terms, the scaled residual, is
+    0.
 
     The new motion
                             ⎡ −1 ⎤   ⎡ 1 ⎤   ⎡ 0 ⎤
