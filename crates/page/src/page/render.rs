@@ -136,14 +136,15 @@ struct TableView<'a> {
 }
 
 impl Page {
-    /// Whether it is printed in two columns: it has figures that fit them, and no programs to read,
-    /// whose lines need the width of a sheet.
+    /// Whether it is printed in two columns: it has figures that fit them, and neither programs,
+    /// whose lines need the width of a sheet, nor a derivation, which is read from top to bottom.
     fn has_columns(&self) -> bool {
         let any = |is: fn(&Block) -> bool| self.sections.iter().flat_map(|s| &s.blocks).any(is);
         any(|block| matches!(block, Block::Figure(picture) if picture.narrow.is_some()))
             && !any(|block| {
-                use Block::{Code, Proof, Python, Twin};
-                matches!(block, Code { .. } | Proof(_) | Python { .. } | Twin { .. })
+                use Block::{Code, Equation, Proof, Python, Twin};
+                let is_derived = matches!(block, Equation { label: None, .. });
+                is_derived || matches!(block, Code { .. } | Proof(_) | Python { .. } | Twin { .. })
             })
     }
 
