@@ -14,6 +14,7 @@ use crate::animation::layout::Lens;
 use crate::animation::solid::Solid;
 use crate::animation::{Camera, arrow, joint};
 use crate::body::{Body, Mass, Shape, State};
+use crate::constraint::Bodies;
 use crate::scene::Scene;
 
 /// Positions are rounded to a power of ten of meters below this length (px).
@@ -99,20 +100,19 @@ fn ground(patch: &Patch) -> Value {
     })
 }
 
-/// The two points of each constraint on its bodies, null for the world, and their marks: 1 is a
-/// dot, 2 a square.
+/// The lines of the constraints: two points on their bodies, null for the world, and their marks:
+/// 1 is a dot, 2 a square.
 fn joints(scene: &Scene) -> Vec<Value> {
-    let of = |constraint: &dyn crate::constraint::Constraint| {
-        let ends = constraint.anchors()?.map(|p| micro(&p));
-        let bodies = constraint.bodies();
+    let of = |(bodies, ends): (Bodies, [Vector3<f64>; 2])| {
+        let ends = ends.map(|p| micro(&p));
         let mark = bodies.map(|body| match body.map(|k| &scene.bodies[k].shape) {
             None => 2,
             Some(Shape::Point) => 0,
             Some(_) => 1,
         });
-        Some(json!({ "bodies": bodies, "ends": ends, "marks": mark }))
+        json!({ "bodies": bodies, "ends": ends, "marks": mark })
     };
-    scene.constraints.iter().map(|joint| Value::from(of(joint.as_ref()))).collect()
+    scene.constraints.iter().flat_map(|joint| joint.lines()).map(of).collect()
 }
 
 fn recording(animation: &Animation, recording: &Recording, stage: &Stage, unit: f64) -> Value {

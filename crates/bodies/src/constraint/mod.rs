@@ -97,6 +97,7 @@ pub type Bodies = [Option<usize>; 2];
 /// (bob.pose.p.x, bob.v.y) = (2.0, 3.0);
 /// let states = [&State::WORLD, &bob];
 /// assert_eq!((rod.bodies(), rod.anchors()), ([None, Some(0)], Some([Vector3::zeros(); 2])));
+/// assert_eq!(rod.lines(), [([None, Some(0)], [Vector3::zeros(); 2])]);
 /// let mut rows = rod.rows(states)?;
 /// assert_eq!((rows[0].c, rows[0].jacobian[1].x), (0.0, 1.0)); // J is along the rod
 /// assert_eq!(rows[0].velocity_product, 4.5); // v²/l
@@ -130,6 +131,12 @@ pub trait Constraint: fmt::Debug + Send + Sync {
     /// if it has only torques.
     fn anchors(&self) -> Option<[Vector3<f64>; 2]> {
         None
+    }
+
+    /// The straight lines to draw it with: between its anchors, or the parts of its rope, from a
+    /// point of one body to a point of another (m, in their frames).
+    fn lines(&self) -> Vec<(Bodies, [Vector3<f64>; 2])> {
+        self.anchors().map(|anchors| (self.bodies(), anchors)).into_iter().collect()
     }
 }
 

@@ -72,6 +72,11 @@ impl Constraint for Pulley {
         let jacobian = n.map(|n| stack(n, Vector3::zeros()));
         Ok(vec![Row::equation(Kind::Distance, c, jacobian, product(0) + product(1))])
     }
+
+    fn lines(&self) -> Vec<(Bodies, [Vector3<f64>; 2])> {
+        let part = |k: usize| ([None, self.bodies[k]], [self.rollers[k], Vector3::zeros()]);
+        vec![part(0), ([None; 2], self.rollers), part(1)]
+    }
 }
 
 const AT_ROLLER: Degenerate =

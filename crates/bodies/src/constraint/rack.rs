@@ -84,6 +84,19 @@ impl Constraint for Rack {
             way.velocity_product - center.velocity_product - self.radius * wheel.velocity_product,
         )])
     }
+
+    /// The rope as it leaves the wheel at the start.
+    fn lines(&self) -> Vec<(Bodies, [Vector3<f64>; 2])> {
+        let (
+            Motion::Translation { anchors: [body, end], .. },
+            Motion::Translation { anchors: [hub, _], .. },
+        ) = (&self.way.motion, &self.center.motion)
+        else {
+            return Vec::new();
+        };
+        let axis = self.way.axis.normalize();
+        vec![([None, self.bodies[1]], [body + axis * axis.dot(&(hub - body)), *end])]
+    }
 }
 
 impl Position for Rack {
