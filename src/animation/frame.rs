@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::Vector3;
 
 use crate::assembly::{Row, Source};
-use crate::body::State;
+use crate::body::{Mass, State};
 use crate::constraint::{Constraint, Kind, Normal};
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Solve, Step};
@@ -125,7 +125,9 @@ fn forces(scene: &Scene, step: &Step) -> Vec<Force> {
     let mut between_moving: BTreeSet<Source> = BTreeSet::new();
     for (row, x) in assembly.rows.iter().zip(&solve.solution.x) {
         let Some(part) = row.parts().last() else { continue };
-        let force = part.jacobian.fixed_rows::<3>(0) * (x * scale);
+        let along =
+            end_jacobian(scene, step, row).unwrap_or(part.jacobian.fixed_rows::<3>(0).into());
+        let force = along * (x * scale);
         let key = (row.id.source, origin(row));
         let body = assembly.blocks[part.block].body;
         sums.entry(key).or_insert((body, Vector3::zeros())).1 += force;
@@ -144,6 +146,17 @@ fn forces(scene: &Scene, step: &Step) -> Vec<Force> {
         (force.norm() > 0.0).then_some(Force { point, force, origin })
     });
     placed.collect()
+}
+
+/// The direction of a constraint's row at the end of the step, where its force is drawn.
+fn end_jacobian(scene: &Scene, step: &Step, row: &Row) -> Option<Vector3<f64>> {
+    let Source::Constraint(k) = row.id.source else { return None };
+    let constraint = &scene.constraints[k];
+    let bodies = constraint.bodies();
+    let rows =
+        constraint.rows(bodies.map(|body| body.map_or(&State::WORLD, |k| &step.states[k]))).ok()?;
+    let side = usize::from(bodies[1].is_some_and(|k| scene.bodies[k].mass != Mass::Fixed));
+    Some(rows.get(row.id.component)?.jacobian[side].fixed_rows::<3>(0).into())
 }
 
 fn origin(row: &Row) -> Origin {

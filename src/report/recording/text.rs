@@ -126,10 +126,13 @@ impl Record {
         }
     }
 
-    /// The totals of a page: without those of contacts if there were none, and without the ledger.
+    /// The totals of a page: without those of contacts if there were none, without the ledger, and
+    /// without what its lead and its tiles state.
     pub(crate) fn page_totals(&self) -> Vec<(&'static str, String)> {
         let is_shown = |name: &str| match name {
             "friction" | "penetration" | "laws" => self.touched,
+            "scheme" | "steps" | "energy" => false,
+            "problems" => self.tally.solves == 0,
             name => name != "ledger" || self.energy_totals.is_none(),
         };
         self.totals().into_iter().filter(|(name, _)| is_shown(name)).collect()

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::{Outcome, ReportPage, View};
 use crate::animation::Animation;
 use crate::body::{Body, State};
-use crate::number::{capitalized, count, counted, readable};
+use crate::number::{count, counted, readable};
 use crate::page::DrawnAnimation;
 use crate::report::page::{Block, Cell, Page, Player, Table, Tile, markup};
 use crate::report::recording::Record;
@@ -73,7 +73,6 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     if let Some(Block::Player(player)) =
         document.page.sections.iter_mut().flat_map(|section| &mut section.blocks).next()
     {
-        player.animation.title = capitalized(&record.energy_in_words());
         player.files = FILES.map(|name| (name.into(), name.into())).into();
     }
     document.open("totals", "Totals");
