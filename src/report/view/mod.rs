@@ -140,7 +140,10 @@ pub fn document(results: &Results) -> Result<ReportPage> {
                 }
             }
             let origin = origin(results, part);
-            document.page.sections[first..].iter_mut().for_each(|shown| {
+            // A scene's picture says how to run it.
+            let is_sheet = |block: &Block| matches!(block, Block::Thumbnails(_));
+            let shown = document.page.sections[first..].iter_mut();
+            shown.filter(|shown| !shown.blocks.iter().any(is_sheet)).for_each(|shown| {
                 shown.origin = Some(origin.clone());
             });
         }

@@ -287,7 +287,7 @@ impl Table {
     /// Whether a column contains only numbers.
     pub(super) fn is_numeric(&self, column: usize) -> bool {
         let number =
-            |cell: &String| cell.chars().all(|c| "0123456789.−×⁰¹²³⁴⁵⁶⁷⁸⁹⁻∞± ,/[]%<".contains(c));
+            |cell: &String| cell.chars().all(|c| "0123456789.−–×⁰¹²³⁴⁵⁶⁷⁸⁹⁻∞± ,/[]%<".contains(c));
         let is_filled = |row: &Vec<String>| !row[column].is_empty();
         self.rows.iter().any(is_filled) && self.rows.iter().all(|row| number(&row[column]))
     }
