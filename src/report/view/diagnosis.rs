@@ -162,29 +162,22 @@ fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Resu
     let fastest = speeds.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let swing = SWING * scene.thinnest().unwrap_or(1.0) / fastest;
     let rest = Frame::now(&simulation).heated(vec![0.0; scene.bodies.len()]);
-    let swung = |sign: f64| {
-        let mut own = rest.clone();
-        for (body, speed) in frame.bodies.iter().zip(&speeds) {
-            let Some(k) = scene.bodies.iter().position(|one| one.name == body.name) else {
-                continue;
-            };
-            let part = |first: usize| match &moved[body.columns.clone()] {
-                u if u.len() >= first + 3 => Vector3::new(u[first], u[first + 1], u[first + 2]),
-                _ => Vector3::zeros(),
-            };
-            let pose = &mut own.states[k].pose;
-            pose.p += part(0) * sign * swing;
-            pose.q = UnitQuaternion::from_scaled_axis(part(3) * sign * swing) * pose.q;
-            own.heat[k] = speed / fastest;
-        }
-        own
-    };
-    let frames = vec![rest.clone(), swung(1.0), swung(-1.0)];
-    let mut strip = Strip::new(scene, frames).named("pattern").labelled([
-        "actual positions",
-        "slowest pattern",
-        "opposite sign",
-    ]);
+    let mut moving = rest.clone();
+    for (body, speed) in frame.bodies.iter().zip(&speeds) {
+        let Some(k) = scene.bodies.iter().position(|one| one.name == body.name) else {
+            continue;
+        };
+        let part = |first: usize| match &moved[body.columns.clone()] {
+            u if u.len() >= first + 3 => Vector3::new(u[first], u[first + 1], u[first + 2]),
+            _ => Vector3::zeros(),
+        };
+        let pose = &mut moving.states[k].pose;
+        pose.p += part(0) * swing;
+        pose.q = UnitQuaternion::from_scaled_axis(part(3) * swing) * pose.q;
+        moving.heat[k] = speed / fastest;
+    }
+    let labels = ["actual positions", "slowest pattern"];
+    let mut strip = Strip::new(scene, vec![rest, moving]).named("pattern").labelled(labels);
     strip.title = "The error pattern of Gauss-Seidel that decays most slowly".into();
     Ok(strip.with_caption(
         "In this error pattern the bodies move together as in the second picture (much enlarged), and each \

@@ -17,7 +17,7 @@ fn a_page_shows_animation_pattern_and_sweeps_and_the_problems_lie_beside_it() {
         "Cause: mass ratio",
         "The error pattern of Gauss-Seidel that decays most slowly",
         "of the error is left with pgs",
-        "final position off (mm)",
+        "distance (mm)",
     ] {
         assert!(page.contains(part), "{part}");
     }

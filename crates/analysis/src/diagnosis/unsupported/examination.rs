@@ -8,6 +8,7 @@ use super::cause::Moving;
 use super::examine::UnsupportedLoad;
 use super::frame::Frame;
 use super::remedy::{Remedy, RemedyEffect};
+use super::remedy_effect::UNCHANGED;
 use super::show::percent;
 use super::thresholds::{HEALTHY, LARGE_PART, REPORTED_DEPTH};
 
@@ -199,11 +200,18 @@ impl Examination {
         };
         let deep = self.sunk.as_ref().filter(|(_, depth)| *depth > REPORTED_DEPTH);
         if let (Some((body, depth)), Some(time)) = (deep, self.time) {
-            words += &format!(
-                " After {} s {body} is {} m lower than with exact answers.",
-                readable(time, DIGITS),
-                readable(*depth, DIGITS)
-            );
+            let time = readable(time, DIGITS);
+            let unchanged = self.remedy_effects.iter().find(|own| own.what == UNCHANGED);
+            words += &match unchanged {
+                Some(own) => format!(
+                    " After {time} s the distance from the exact position is up to {} mm.",
+                    readable(1e3 * own.off, DIGITS)
+                ),
+                None => format!(
+                    " After {time} s {body} is {} m lower than with exact answers.",
+                    readable(*depth, DIGITS)
+                ),
+            };
         }
         words
     }
@@ -377,11 +385,11 @@ impl Examination {
         let short = |part: f64| percent(part).replace("less than", "<");
         let run = |own: Option<&RemedyEffect>| match own {
             Some(own) => [short(own.missing), readable(1e3 * own.off, DIGITS)],
-            None => Default::default(),
+            None => ["–".into(), "–".into()],
         };
         let row = |own: &&Remedy| {
             let work = match own.work.is_nan() {
-                true => String::new(),
+                true => "–".into(),
                 false => readable(own.work, DIGITS),
             };
             let solve = [own.what.clone(), short(own.missing), work];
@@ -390,7 +398,7 @@ impl Examination {
         let mut rows: Vec<Vec<String>> = tried.iter().map(row).collect();
         let is_new = |own: &&RemedyEffect| tried.iter().all(|remedy| remedy.what != own.what);
         rows.extend(self.remedy_effects.iter().filter(is_new).map(|own| {
-            let solve = [own.what.clone(), String::new(), String::new()];
+            let solve = [own.what.clone(), "–".into(), "–".into()];
             solve.into_iter().chain(run(Some(own))).collect()
         }));
         if rows.is_empty() && useless.is_empty() {
@@ -398,14 +406,15 @@ impl Examination {
         }
         section.say(
             "Each remedy was tried alone. An error is a distance from the exact motion, in parts of the change of \
-             motion that the constraints cause; that of a run is the mean of its second half.",
+             motion that the constraints cause; that of a run is the mean of its second half. The distance is that of the \
+             body farthest from its exact position at the end of the run.",
         );
         let columns = [
             "remedy",
             "error of this solve",
             "its multiplications",
             "error of the run",
-            "final position off (mm)",
+            "distance (mm)",
         ];
         section.table("the error with each remedy", &columns, rows);
         if !useless.is_empty() {

@@ -20,7 +20,7 @@ const PARTS: usize = 8;
 const MORE: usize = 4;
 
 /// The run without a change.
-const UNCHANGED: &str = "unchanged";
+pub(super) const UNCHANGED: &str = "unchanged";
 
 /// The remedy for a start that is worse than none.
 const COLD: &str = "cold start in every step";
