@@ -113,12 +113,9 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
 /// The rows in which two points differ: those with a difference that can be seen, if there are any.
 fn differing(lcp: &Lcp, x: &Vector, y: &Vector) -> String {
     let (x, y) = (values(lcp, x), values(lcp, y));
-    let size = |value: &RBig| value.to_f64().value().abs();
-    let largest = x.iter().chain(&y).map(size).fold(0.0, f64::max);
     let differs = |i: &usize| x[*i] != y[*i];
-    let is_seen = |i: &usize| size(&(&x[*i] - &y[*i])) > AGREES * largest;
     let all = (0..x.len()).filter(differs).count();
-    let seen: Vec<String> = (0..x.len()).filter(is_seen).map(|i| i.to_string()).collect();
+    let seen: Vec<String> = seen(&x, &y).iter().map(usize::to_string).collect();
     let only = if seen.len() < all { "visibly only " } else { "" };
     match &seen[..] {
         [] => format!("by less than {AGREES:e} of the largest entry"),
@@ -127,6 +124,13 @@ fn differing(lcp: &Lcp, x: &Vector, y: &Vector) -> String {
         rows if rows.len() <= SHOWN => format!("{only}in rows {}", rows.join(", ")),
         rows => format!("{only}in {} rows", rows.len()),
     }
+}
+
+/// The rows in which two points differ by more than rounding.
+fn seen(x: &[RBig], y: &[RBig]) -> Vec<usize> {
+    let size = |value: &RBig| value.to_f64().value().abs();
+    let largest = x.iter().chain(y).map(size).fold(0.0, f64::max);
+    (0..x.len()).filter(|&i| size(&(&x[i] - &y[i])) > AGREES * largest).collect()
 }
 
 /// How two solutions compare in w, which a motion decides.
@@ -157,12 +161,22 @@ fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
     for name in &names[..points.len()] {
         headings += &format!(" | #{name}{of_x} | #w at {name}{of_w}");
     }
-    let rows = (0..lcp.len()).take(SHOWN).map(|i| {
+    // Of two solutions, only the rows that differ are compared, if that can be seen.
+    let shown: Vec<usize> = match &points[..] {
+        [x, y] => seen(x, y),
+        _ => Vec::new(),
+    };
+    let shown = if shown.is_empty() { (0..lcp.len()).collect() } else { shown };
+    let rows = shown.iter().take(SHOWN).map(|&i| {
         let of = |x: &Vec<RBig>| [fraction(&x[i]), fraction(&w(lcp, x, i))].map(Cell::text);
         [vec![Cell::text(label(problem, i))], points.iter().flat_map(of).collect()].concat()
     });
-    let title = if points.len() == 1 { "The solution" } else { "Two solutions" };
-    Table::new(title, more(lcp.len()), &headings, rows.collect())
+    let title = match points.len() {
+        1 => "The solution",
+        _ if shown.len() < lcp.len() => "Two solutions, in the rows in which they differ",
+        _ => "Two solutions",
+    };
+    Table::new(title, more(shown.len()), &headings, rows.collect())
 }
 
 fn vector_table(problem: &Problem, d: &[(usize, dashu_int::IBig)]) -> Table {
