@@ -11,7 +11,6 @@ use super::file::{Grid, SUBJECT};
 use super::measure::{Finding, SECONDS};
 use super::plan::{Plan, Task, plain};
 use crate::number::count;
-use crate::report::page::markup::literal;
 use crate::report::page::{Block, Cell, Column, Fold, Origin, Page, Table, Tile};
 use crate::report::view::ReportPage;
 
@@ -39,11 +38,6 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> ReportPage
     document.open(RESULTS, "What was measured");
     show(grid, plan, &collection.points(), "", &mut document);
     document.page.opening.push(Block::Tiles(tiles(plan, collection)));
-    if let Some(figure) = document.figures.first() {
-        let lead = format!("**{}.**", literal(figure.title()));
-        let text = std::mem::replace(&mut document.page.lead, lead);
-        document.page.opening.push(Block::Text(text));
-    }
     document.page.sections.iter_mut().for_each(|section| {
         section.origin = Some(origin(grid));
         if collection.done.len() > MOST_OPEN {
