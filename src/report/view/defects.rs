@@ -57,40 +57,58 @@ fn table(defects: &[Defect]) -> Table {
             (true, _) => Mark::Good,
             (false, _) => Mark::Bad,
         };
-        let issue = defect.source.rsplit_once(", ").map_or("–", |(_, issue)| issue);
+        let issue = match defect.source.split_once(", #") {
+            Some((release, issue)) => {
+                Cell { link: address(release, issue), ..Cell::text(format!("#{issue}")) }
+            }
+            None => Cell::text("–"),
+        };
         vec![
             Cell::text(&defect.what),
             Cell::text(format!("{} → {}", defect.bad.versions.join(", "), version(defect))),
-            Cell::text(issue),
+            issue,
             Cell::text(&defect.stage),
             rejected(&defect.bad).marked(mark),
             rejected(&defect.mended),
             Cell::text(said(defect)),
         ]
     });
-    let how = "The same scene runs in the defective and in the corrected release, and each step is checked with \
-               default arguments; *before* and *after* are their rejected steps. The stage is the part of the step \
-               that was wrong: collision (contacts and their geometry), assembly (the rows and matrices of the \
-               problem), solver, or write-back (new velocities and reported forces). *the receipt says*: the first \
-               error of the first rejected step or, if none is rejected, how the errors compare with those of the \
-               corrected release. The expected bias and target are computed by the engine's adapter from the model.";
+    let how = "*rejected before* and *after*: the rejected steps of the defective and of the corrected release. \
+               *stage*: the part of the step that was wrong: collision (contacts and their geometry), assembly (the \
+               rows and matrices of the problem), solver, or write-back (new velocities and reported forces). *the \
+               receipt says*: the first error of the first rejected step or, if none is rejected, the comparison \
+               with the corrected release.";
     let headings = "what was wrong | releases | issue | stage | #rejected before | #rejected after | \
                     the receipt says";
-    Table::new("Known defects", how, headings, rows.collect())
+    Table::new("Steps rejected by receipts", how, headings, rows.collect())
 }
 
 /// What the first rejected step's receipt says, with the size of an error of the motion, or the
 /// comparison.
 fn said(defect: &Defect) -> String {
     let what = defect.bad.what.as_ref().or(defect.bad.worse.first());
+    let signs = |words: &str| words.replace('_', " ").replace(" -", " −");
     let size = defect.bad.largest_motion_error.filter(|_| defect.stage == SOLVER);
     match (what, size, &defect.bad.what) {
         (Some(what), Some(size), Some(_)) => {
             format!("{what}; relative error up to {}", readable(size, 2))
         }
-        (Some(what), ..) => what.replace('_', " "),
+        (Some(what), ..) => signs(what),
         (None, ..) => "–".into(),
     }
+}
+
+/// The address of an issue of an engine on GitHub, by the name of its release.
+fn address(release: &str, issue: &str) -> String {
+    let repository = match release.rsplit_once(' ').map_or(release, |(name, _)| name) {
+        "MuJoCo Warp" => "google-deepmind/mujoco_warp",
+        "DART" => "dartsim/dart",
+        "Drake" => "RobotLocomotion/drake",
+        "Newton" => "newton-physics/newton",
+        name if name.starts_with("Rapier") => "dimforge/rapier",
+        _ => "google-deepmind/mujoco",
+    };
+    format!("https://github.com/{repository}/issues/{issue}")
 }
 
 /// The corrected releases, without the names that the defective ones have too.
