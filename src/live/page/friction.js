@@ -65,12 +65,14 @@ function drawFloor() {
 }
 
 function drawWords() {
-  const signed = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 3), lines = [];
+  const signed = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 3), row = (cells, kind) => svg("tr", {}, cells.map((cell) => svg(kind, {}, cell)).join(""));
+  let rows = row(["model", "x (N s)", "|xₜ| / μ xₙ", "motion"], "th");
   for (const { model, x, w } of answers) {
     const slips = Math.hypot(w[1], w[2]) > 1e-6, rub = Math.hypot(x[1], x[2]) / (state.mu * state.press || 1);
-    lines.push(`${model.padEnd(15)} x = (${x.map(signed).join(", ")}) N s   |xₜ| = ${signed(rub)} μ xₙ   ${slips ? `slips at ${signed(Math.hypot(w[1], w[2]))} m/s` : "sticks"}${Math.abs(w[0]) > 1e-6 ? `, lifts off at ${signed(w[0])} m/s` : ""}`);
+    const motion = `${slips ? `slips at ${signed(Math.hypot(w[1], w[2]))} m/s` : "sticks"}${Math.abs(w[0]) > 1e-6 ? `, lifts off at ${signed(w[0])} m/s` : ""}`;
+    rows += row([model, `(${x.map(signed).join(", ")})`, signed(rub), motion], "td");
   }
-  find("#words").textContent = lines.join("\n");
+  find("#words").innerHTML = rows;
   const holds = state.size <= state.mu * state.press, limit = state.mu * state.press;
   const boxed = limit > 0 ? Math.hypot(...answers[0].x.slice(1)) / limit : 0;
   find("#says").textContent = `By Coulomb's law the block ${holds ? "sticks" : "slides"}.${boxed > 1.0005 ? ` The box model gives ${short(boxed, 3)} times the largest friction that Coulomb's law allows.` : ""}`;

@@ -78,7 +78,10 @@ function drawSlip() {
   const at = (k) => [left + k / FRAMES * (right - left), zero - speeds[k] / most * (zero - top)];
   let chart = svg("line", { x1: left, x2: right, y1: zero, y2: zero, class: "axis" });
   chart += svg("text", { x: left - 8, y: top + 5, "text-anchor": "end", class: "faint" }, short(most, 2)) + svg("text", { x: left - 8, y: zero + 5, "text-anchor": "end", class: "faint" }, "0");
-  chart += svg("text", { x: right, y: zero + 20, "text-anchor": "end", class: "faint" }, `time ${short(FRAMES * Number(state.dt))}`);
+  for (const part of [0.25, 0.5, 0.75, 1]) {
+    const x = left + part * (right - left), time = short(part * FRAMES * Number(state.dt));
+    chart += svg("line", { x1: x, x2: x, y1: zero, y2: zero + 5, class: "axis" }) + svg("text", { x, y: zero + 20, "text-anchor": part < 1 ? "middle" : "end", class: "faint" }, part < 1 ? time : `time ${time}`);
+  }
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
   const [cx, cy] = at(state.step);
   chart += svg("circle", { cx, cy, r: 5, class: "here" }) + svg("text", { x: right, y: 14, "text-anchor": "end" }, `sliding speed ${short(speeds[state.step], 3)}`);

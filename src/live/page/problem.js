@@ -1,5 +1,5 @@
 const EXAMPLES = {
-  "three balls (the chapter's Figure 7)": { name: "Figure 7", A: { dense: [[1, -1, 0], [-1, 2, -1], [0, -1, 2]] }, b: [-1, -1, 1] },
+  "three balls (Figure 7)": { name: "Figure 7", A: { dense: [[1, -1, 0], [-1, 2, -1], [0, -1, 2]] }, b: [-1, -1, 1] },
   "a chain of ten": { name: "a chain of ten", A: { dense: Array.from({ length: 10 }, (_, i) => Array.from({ length: 10 }, (_, j) => (i === j ? 2 : Math.abs(i - j) === 1 ? -1 : 0))) }, b: Array(10).fill(-1) },
   "a contact with friction, pushed": { name: "a contact with friction", A: { dense: [[2, 0, 0.5], [0, 1, 0], [0.5, 0, 1]] }, b: [-2, -1.5, -0.5], friction_index: [-1, 0, 0], mu: [0, 0.5, 0.5] },
   "two solutions": { name: "two solutions", A: { dense: [[2, -3], [-3, 2]] }, b: [1, 1.5] },
@@ -92,8 +92,10 @@ function drawDerivation() {
   state.lines = Math.max(first, Math.min(state.lines, all.length));
   const lines = find("#lines");
   lines.replaceChildren(...all.slice(0, state.lines).flatMap(({ title, text }) => {
-    const own = document.createElement("pre"), head = document.createElement("h2");
-    [own.textContent, head.textContent, own.tabIndex] = [text, title, 0];
+    // A paragraph wraps; formulas and tables, which are indented, do not.
+    const isProse = /^\n*\S/.test(text), own = document.createElement(isProse ? "p" : "pre"), head = document.createElement("h2");
+    [own.textContent, head.textContent] = [isProse ? text.replace(/\s+/g, " ") : text, title];
+    if (!isProse) own.tabIndex = 0;
     return title ? [head, own] : [own];
   }));
   find("#less").disabled = state.lines === first;
