@@ -78,11 +78,7 @@ fn condition(i: usize, x: f64, lo: f64, hi: f64) -> String {
         _ if lo == hi => format!("{own} = {lower}, {w} arbitrary"),
         x if x == lo => format!("{own} = {lower}, so {w} ≥ 0"),
         x if x == hi => format!("{own} = {upper}, so {w} ≤ 0"),
-        _ => match (lo.is_finite(), hi.is_finite()) {
-            (true, true) => format!("{lower} < {own} < {upper}, so {w} = 0"),
-            (true, false) => format!("{own} > {lower}, so {w} = 0"),
-            (false, true) => format!("{own} < {upper}, so {w} = 0"),
-            (false, false) => format!("{own} has no bounds, so {w} = 0"),
-        },
+        _ if hi == f64::INFINITY => format!("{own} > {lower}, so {w} = 0"),
+        _ => format!("{lower} < {own} < {upper}, so {w} = 0"),
     }
 }

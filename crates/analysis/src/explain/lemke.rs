@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use super::answer::Reading;
 use super::solve::{self, Scribe};
 use lcplab_lcp::Lcp;
+use lcplab_lcp::number::counted;
 use lcplab_page::document::notation::{exact, indexed};
 use lcplab_page::document::{Block, Formula, SHOWN, Section, Table};
 use lcplab_solver::{Iterate, Leaving, Observer, Solution, StepDetail, Tableau, Variable};
@@ -69,16 +70,10 @@ impl<'a> Tableaux<'a> {
             chosen: leaving_row(own).and_then(|leaving| rows.iter().position(|r| *r == leaving)),
             keeps_columns: true,
         };
-        let remark = match own.nonbasic.len() - columns.len() {
-            0 => None,
-            more => Some(match more {
-                1 => "One column is not shown.".into(),
-                more => format!("{more} columns are not shown."),
-            }),
-        };
         self.section.blocks.push(Block::Table(table));
-        if let Some(remark) = remark {
-            self.section.say(remark);
+        let more = own.nonbasic.len() - columns.len();
+        if more > 0 {
+            self.section.say(format!("Not shown: {}.", counted(more, "column")));
         }
     }
 

@@ -198,20 +198,12 @@ impl Examination {
                 "No LCP was solved in these steps, so the solver has no influence.".into()
             }
         };
-        let deep = self.sunk.as_ref().filter(|(_, depth)| *depth > REPORTED_DEPTH);
-        if let (Some((body, depth)), Some(time)) = (deep, self.time) {
-            let time = readable(time, DIGITS);
-            let unchanged = self.remedy_effects.iter().find(|own| own.what == UNCHANGED);
-            words += &match unchanged {
-                Some(own) => format!(
-                    " After {time} s the distance from the exact position is up to {} mm.",
-                    readable(1e3 * own.off, DIGITS)
-                ),
-                None => format!(
-                    " After {time} s {body} is {} m lower than with exact answers.",
-                    readable(*depth, DIGITS)
-                ),
-            };
+        let is_deep = self.sunk.as_ref().is_some_and(|(_, depth)| *depth > REPORTED_DEPTH);
+        let own = self.remedy_effects.iter().find(|own| is_deep && own.what == UNCHANGED);
+        if let (Some(own), Some(time)) = (own, self.time) {
+            let [time, off] = [time, 1e3 * own.off].map(|value| readable(value, DIGITS));
+            words +=
+                &format!(" After {time} s the distance from the exact position is up to {off} mm.");
         }
         words
     }
@@ -398,7 +390,7 @@ impl Examination {
         let mut rows: Vec<Vec<String>> = tried.iter().map(row).collect();
         let is_new = |own: &&RemedyEffect| tried.iter().all(|remedy| remedy.what != own.what);
         rows.extend(self.remedy_effects.iter().filter(is_new).map(|own| {
-            let solve = [own.what.clone(), "–".into(), "–".into()];
+            let solve = [own.what.as_str(), "–", "–"].map(String::from);
             solve.into_iter().chain(run(Some(own))).collect()
         }));
         if rows.is_empty() && useless.is_empty() {

@@ -75,19 +75,16 @@ impl<'a> Columns<'a> {
     pub fn names(&self, scene: &Scene) -> Formula {
         let name = |&column: &usize| {
             let (body, k) = component(self.problem, column);
-            let (letter, axis) = (["v", "ω"][k / 3], ["x", "y", "z"][k % 3]);
-            let latex = ["v", "\\omega"][k / 3];
+            let [letter, latex] = [["v", "v"], ["ω", "\\omega"]][k / 3];
+            let axis = ["x", "y", "z"][k % 3];
             let body = &scene.bodies[body].name;
             let word: String =
                 body.chars().filter(|c| c.is_alphanumeric() || " -.".contains(*c)).collect();
             (format!("{letter}_{axis} of {body}"), format!("{latex}_{axis} \\text{{ of {word}}}"))
         };
-        let (mut text, mut latex): (Vec<_>, Vec<_>) =
-            self.kept.iter().take(SHOWN).map(name).unzip();
-        if self.kept.len() > SHOWN {
-            text.push("…".into());
-            latex.push("\\vdots".into());
-        }
+        let more = (self.kept.len() > SHOWN).then(|| ("…".into(), "\\vdots".into()));
+        let (text, latex): (Vec<_>, Vec<_>) =
+            self.kept.iter().take(SHOWN).map(name).chain(more).unzip();
         let rows = latex.join(" \\\\ ");
         Formula::default().symbols(
             &format!("u = [{}]", text.join(", ")),
