@@ -7,8 +7,7 @@ use serde_json::{Value, json};
 use super::cause::Moving;
 use super::examine::UnsupportedLoad;
 use super::frame::Frame;
-use super::remedy::{Remedy, RemedyEffect};
-use super::remedy_effect::UNCHANGED;
+use super::remedy::{Remedy, RemedyEffect, UNCHANGED};
 use super::show::percent;
 use super::thresholds::{HEALTHY, LARGE_PART, REPORTED_DEPTH};
 

@@ -12,6 +12,9 @@ use super::frame::Frame;
 use super::linear::{Linear, SweepParameters};
 use super::reference::{ReferenceSolution, start};
 
+/// The run without a change.
+pub(super) const UNCHANGED: &str = "unchanged";
+
 /// Other methods that are tried, by name.
 pub(super) const METHODS: [&str; 4] =
     [AndersonPgs::NAME, BlockPgs::NAME, BlockPivoting::NAME, Dantzig::NAME];

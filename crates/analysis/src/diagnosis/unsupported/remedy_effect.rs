@@ -9,7 +9,7 @@ use lcplab_solver::{Group, Registry};
 use super::cause::Slow;
 use super::examination::Examination;
 use super::moving::apart;
-use super::remedy::{METHODS, RemedyEffect};
+use super::remedy::{METHODS, RemedyEffect, UNCHANGED};
 use super::run::{End, end_of};
 use super::thresholds::CREDIBLE;
 
@@ -18,9 +18,6 @@ const PARTS: usize = 8;
 
 /// The factor on the number of sweeps.
 const MORE: usize = 4;
-
-/// The run without a change.
-pub(super) const UNCHANGED: &str = "unchanged";
 
 /// The remedy for a start that is worse than none.
 const COLD: &str = "cold start in every step";
