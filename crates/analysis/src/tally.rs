@@ -35,6 +35,9 @@ pub struct Tally {
     pub rows: usize,
     /// Why the run ended early, or the last status that was not solved.
     pub trouble: Option<String>,
+    /// The last status that was not solved.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unsolved: Option<String>,
 }
 
 impl Tally {
@@ -85,7 +88,9 @@ impl Tally {
         self.worst_residual = self.worst_residual.max(residual);
         self.rows = self.rows.max(rows);
         if !claims {
-            self.trouble = Some(format!("{place}{}", solution.status));
+            let status = solution.status.to_string();
+            self.trouble = Some(format!("{place}{status}"));
+            self.unsolved = Some(status);
         }
     }
 }

@@ -71,7 +71,11 @@ pub(crate) static ENTRIES: &[Entry] = &[
         method: "Lemke's complementary pivoting, lexicographic ties, finite",
         class: Class::of(MatrixClass::CopositivePlus),
         group: Group::Pivoting,
-        cost: Cost::each("n (n + 2), half of it where A is symmetric", lemke_pivot),
+        cost: Cost {
+            formula: "n (n + 2), half of it where A is symmetric, and once for each row without bounds",
+            start: |i| i.free() * lemke_pivot(i),
+            iteration: lemke_pivot,
+        },
         source: "Lemke 1965; Cottle, Pang & Stone 1992",
         uses: &[],
         build: Build::Function(|options| Box::new(Lemke { settings: options.settings.clone() })),
