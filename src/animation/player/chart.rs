@@ -107,7 +107,7 @@ pub(super) fn svg(animation: &Animation, measure: Measure) -> String {
     let x = |t: f64| left + t / end * (right - left);
     let y = |v: f64| bottom - (v - lo) / (hi - lo) * (bottom - top);
     let mut out = format!(
-        "<svg class=\"chart\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"{}\">\n",
+        "<svg class=\"chart\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"{}\">\n",
         escape(&words(animation, measure))
     );
     for tick in Scale::Linear.ticks((lo, hi), 4) {

@@ -207,20 +207,23 @@ impl Animation {
             svg: chart::svg(self, measure),
         };
         DrawnAnimation {
-            title: self.title(),
+            title: self.finding().map(|(_, title)| title).unwrap_or_default(),
             columns: self.columns(),
             size: self.size(),
             times: self.times(),
             panes: self.panes(),
             charts: self.measures().into_iter().map(chart).collect(),
-            strips: (0..self.recordings.len()).map(|k| self.strip(k).svg()).collect(),
+            strips: (0..self.recordings.len())
+                .filter(|&k| self.recordings[k].samples.len() > 1)
+                .map(|k| self.strip(k).svg())
+                .collect(),
             data: self.data(),
         }
     }
 
-    /// The finding: an error in which recordings that did not end early differ clearly, where it is
-    /// smallest and largest.
-    fn title(&self) -> String {
+    /// The finding, with its measure: an error in which recordings that did not end early differ
+    /// clearly, where it is smallest and largest.
+    fn finding(&self) -> Option<(Measure, String)> {
         let complete = || self.recordings.iter().filter(|own| own.ending.is_none());
         let said = |measure: Measure| {
             let rounding = chart::least(self, measure);
@@ -232,18 +235,18 @@ impl Animation {
                 value => format!("{} {}", readable(value, 2), measure.unit()),
             };
             let is_clear = worst(&most) > DIFFERENT * worst(&best) && worst(&most).is_finite();
-            is_clear.then(|| {
-                format!(
-                    "The largest {} is {} with {}, {} with {}",
-                    measure.name(),
-                    amount(best),
-                    best.name,
-                    amount(most),
-                    most.name
-                )
-            })
+            let title = format!(
+                "Within {} s the largest {} is {} with {}, {} with {}",
+                readable(chart::end(self), 3),
+                measure.name(),
+                amount(best),
+                best.name,
+                amount(most),
+                most.name
+            );
+            is_clear.then_some((measure, title))
         };
-        self.measures().into_iter().rev().find_map(said).unwrap_or_default()
+        chart::measures(self).into_iter().rev().find_map(said)
     }
 
     /// The number of recordings side by side.
@@ -254,9 +257,11 @@ impl Animation {
         }
     }
 
-    /// The measures that are available and not 0 in every recording, the energy first.
+    /// The measures that are available and not 0 in every recording, that of the finding first.
     pub(crate) fn measures(&self) -> Vec<Measure> {
-        chart::measures(self)
+        let (mut measures, first) = (chart::measures(self), self.finding());
+        measures.sort_by_key(|own| first.as_ref().is_none_or(|(first, _)| own != first));
+        measures
     }
 
     /// A measure over time, one curve per recording, as an SVG element for a page that defines the

@@ -39,8 +39,9 @@ const INSIDE: (f64, f64) = (280.0, 230.0);
 const CROWDED: f64 = 230.0;
 /// The cost of a px between the end of a curve and its label, relative to a px of distance.
 const ALONG: f64 = 0.12;
-/// Ends that are at most so far apart share a leader, in px.
+/// Ends that are less than this apart share a leader, or are at the same height, in px.
 const SAME: f64 = 3.0;
+const LEVEL: f64 = 0.5;
 /// Curves join where their ends are at most this part of the axis apart, and are separate where
 /// their starts are at least this part apart.
 const TOGETHER: f64 = 0.02;
@@ -272,8 +273,8 @@ fn draw_beside(
     let order: Vec<&str> = ends.iter().map(|end| end.name).collect();
     let place = |end: &End<'_>| order.iter().position(|name| *name == end.name);
     ends.sort_by(|a, b| a.at.1.total_cmp(&b.at.1));
-    // Ends at about the same height keep the order of the curves.
-    for group in ends.chunk_by_mut(|a, b| (b.at.1 - a.at.1).abs() < SAME) {
+    // Ends at the same height keep the order of the curves.
+    for group in ends.chunk_by_mut(|a, b| (b.at.1 - a.at.1).abs() < LEVEL) {
         group.sort_by_key(|end| place(end));
     }
     let left = frame.right + LEADER;

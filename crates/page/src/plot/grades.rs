@@ -18,11 +18,11 @@ const TOP: f64 = 40.0;
 const GAP: f64 = 9.0;
 const BETWEEN: f64 = 18.0;
 /// The size of the numbers in the cells in px.
-const SMALL: f64 = 12.0;
-/// The least deviation of each color, palest first, and its name.
+const SMALL: f64 = 12.5;
+/// The deviation above which a cell has a color, palest first, and its name.
 const SHADES: [(f64, (u8, u8, u8), &str); 5] = [
     (0.0, (214, 234, 226), "obeyed"),
-    (1.0, (253, 224, 180), "up to 10 ×"),
+    (0.0, (253, 224, 180), "up to 10 ×"),
     (10.0, (247, 176, 112), "up to 100 ×"),
     (100.0, (200, 76, 48), "up to 10,000 ×"),
     (1e4, (160, 32, 48), "more"),
@@ -42,8 +42,8 @@ pub struct Grades {
     pub groups: Vec<(String, Vec<String>)>,
     /// The name of each row, and a cell for each column.
     pub rows: Vec<(String, Vec<Grade>)>,
-    /// The section of the page that each row leads to; may be empty.
-    pub links: Vec<String>,
+    /// The section of the page that each row leads to, and the tip on its name; may be empty.
+    pub links: Vec<(String, String)>,
 }
 
 /// A cell.
@@ -58,11 +58,16 @@ pub enum Grade {
 }
 
 impl Grade {
+    /// The color of the number as it is written, with two digits.
     fn color(self) -> (u8, u8, u8) {
-        let of = |miss: f64| SHADES.iter().rev().find(|(least, ..)| miss >= *least);
+        let of = |miss: f64| SHADES.iter().rev().find(|(least, ..)| miss > *least);
         match self {
             Grade::Obeyed => SHADES[0].1,
-            Grade::Missed(miss) => of(miss.max(1.0)).unwrap_or(&SHADES[4]).1,
+            Grade::Missed(miss) if miss.is_finite() => {
+                let unit = 10f64.powf(miss.log10().floor() - 1.0);
+                of((miss / unit).round() * unit).unwrap_or(&SHADES[4]).1
+            }
+            Grade::Missed(_) => SHADES[4].1,
             Grade::Unknown => NONE,
         }
     }
@@ -101,7 +106,11 @@ impl Figure for Grades {
             false => std::iter::once(0..self.groups.len()).collect(),
         };
         let left = self.left();
-        let keys = key(left.min(wide / 4.0), wide);
+        let is_used = |color: (u8, u8, u8)| {
+            self.rows.iter().flat_map(|(_, cells)| cells).any(|own| own.color() == color)
+        };
+        let shades: Vec<_> = SHADES.into_iter().filter(|(_, color, _)| is_used(*color)).collect();
+        let keys = key(&shades, left.min(wide / 4.0), wide);
         let cells = blocks.iter().map(|groups| self.cell(groups, wide));
         let head = self.head(cells.fold(f64::INFINITY, f64::min));
         let block = head + ROW * self.rows.len() as f64;
@@ -115,7 +124,7 @@ impl Figure for Grades {
             self.draw_groups(&mut canvas, groups, wide, (top, head));
             top += block + BETWEEN;
         }
-        for ((_, color, name), (x, y)) in SHADES.iter().zip(keys) {
+        for ((_, color, name), (x, y)) in shades.iter().zip(keys) {
             let y = top - BETWEEN + 24.0 + y;
             canvas.raw(&format!(
                 "<rect x=\"{x:.1}\" y=\"{:.1}\" width=\"11\" height=\"11\" fill=\"{}\"/>\n",
@@ -218,8 +227,9 @@ impl Grades {
         for (k, (name, cells)) in self.rows.iter().enumerate() {
             let y = top + head + ROW * k as f64;
             let link = self.links.get(k);
-            if let Some(section) = link {
-                canvas.raw(&format!("<a href=\"#{}\">", escape(section)));
+            if let Some((section, tip)) = link {
+                let [section, tip] = [section, tip].map(|text| escape(text));
+                canvas.raw(&format!("<a href=\"#{section}\"><title>{tip}</title>"));
             }
             canvas.text((left - 8.0, y + 14.0), Anchor::End, TEXT, INK, name);
             canvas.raw(if link.is_some() { "</a>\n" } else { "" });
@@ -240,7 +250,7 @@ fn draw_cell(canvas: &mut Canvas, grade: Grade, (x, y): (f64, f64), width: f64) 
         hex(grade.color())
     ));
     // The ink contrasts with the shade also on a dark page, which inverts both.
-    let is_dark = matches!(grade, Grade::Missed(miss) if miss >= SHADES[3].0);
+    let is_dark = SHADES[3..].iter().any(|(_, color, _)| *color == grade.color());
     let ink = if is_dark { "#ffffff" } else { "#22262d" };
     canvas.raw(&format!(
         "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{SMALL}\" fill=\"{ink}\">{}</text>\n",
@@ -251,7 +261,7 @@ fn draw_cell(canvas: &mut Canvas, grade: Grade, (x, y): (f64, f64), width: f64) 
 }
 
 /// The places of the shades and their names in px, in rows from this left edge on.
-fn key(left: f64, wide: f64) -> Vec<(f64, f64)> {
+fn key(shades: &[(f64, (u8, u8, u8), &str)], left: f64, wide: f64) -> Vec<(f64, f64)> {
     let (mut x, mut y) = (left, 0.0);
     let place = |(_, _, name): &(f64, (u8, u8, u8), &str)| {
         let length = 16.0 + style::width(name, TEXT) + 14.0;
@@ -262,5 +272,5 @@ fn key(left: f64, wide: f64) -> Vec<(f64, f64)> {
         x += length;
         at
     };
-    SHADES.iter().map(place).collect()
+    shades.iter().map(place).collect()
 }

@@ -1,6 +1,6 @@
-//! Performance profiles of many methods in a grid of panels: one line of panels per group of
-//! methods, one column per precision; on a narrow picture all panels stand in one column. Each
-//! panel also shows the methods of the other groups, pale.
+//! Performance profiles of many methods in panels: each group of methods has one for each column,
+//! and two panels stand side by side, or one on a narrow picture. Each panel also shows the methods
+//! of the other groups, pale.
 
 use plotters::prelude::*;
 
@@ -14,7 +14,7 @@ use crate::figure::Figure;
 use crate::number::readable;
 
 const TOP: f64 = 46.0;
-const HEIGHT: f64 = 130.0;
+const HEIGHT: f64 = 105.0;
 const LEFT: f64 = 54.0;
 const GAP: f64 = 26.0;
 /// The height of the title of a panel.
@@ -63,8 +63,12 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// The name with the numbers of problems: `pgs (40)`, or `pgs (40, 38)` if they differ.
+    /// The name; of several columns with the numbers of problems: `pgs (40)`, or `pgs (40, 38)` if
+    /// they differ.
     fn label(&self) -> String {
+        if self.columns.len() == 1 {
+            return self.name.clone();
+        }
         let mut counts: Vec<String> = self.columns.iter().map(|(_, n)| n.to_string()).collect();
         counts.dedup();
         format!("{} ({})", self.name, counts.join(", "))
@@ -108,33 +112,43 @@ impl Figure for Profiles {
     }
 
     fn drawn(&self, wide: f64, id: &str) -> String {
-        let across = if wide < style::WIDTH { 1 } else { self.columns.len().max(1) };
+        let across = if wide < style::WIDTH { 1 } else { self.columns.len().max(2) };
         let width = (wide - 2.0 * style::EDGE + GAP) / across as f64 - GAP - LEFT;
+        let pitch = width + LEFT + GAP;
         let lines = self.columns.len().div_ceil(across);
         let panels = lines as f64 * BELOW - HEAD;
-        let legends: Vec<_> = self.groups.iter().map(|group| Legend::of(group, wide)).collect();
-        let heads: Vec<f64> = legends.iter().map(|l| 30.0 + LINE * l.lines as f64 + HEAD).collect();
-        let total: f64 = heads.iter().map(|head| head + panels).sum();
+        // The groups side by side, and the width of each.
+        let beside = (across / self.columns.len().max(1)).max(1);
+        let share = (wide - 2.0 * style::EDGE + GAP) / beside as f64 - GAP;
+        let legends: Vec<_> = self.groups.iter().map(|group| Legend::of(group, share)).collect();
+        let head = |legends: &[Legend]| {
+            let lines = legends.iter().map(|legend| legend.lines).max().unwrap_or(0);
+            30.0 + LINE * lines as f64 + if self.columns.len() > 1 { HEAD } else { 6.0 }
+        };
+        let total: f64 = legends.chunks(beside).map(|legends| head(legends) + panels).sum();
         let (mut canvas, lower) = Canvas::titled(wide, TOP + total + 30.0, &self.title);
         let x = self.range();
         let mut top = TOP + lower;
-        for (k, (group, legend)) in self.groups.iter().zip(&legends).enumerate() {
-            legend.draw(&mut canvas, group, top);
-            let above = top + heads[k];
-            for (c, column) in self.columns.iter().enumerate() {
-                let left = style::EDGE + LEFT + (width + LEFT + GAP) * (c % across) as f64;
-                let top = above + BELOW * (c / across) as f64;
-                let (right, bottom) = (left + width, top + HEIGHT);
-                let frame = Frame { x, y: (0.0, 1.04), left, right, top, bottom };
-                self.draw_panel(&mut canvas, &frame, k, c);
-                canvas.text((left, top - 7.0), Anchor::Start, TEXT, FAINT_INK, column);
-            }
-            for line in 0..lines {
-                let middle = above + BELOW * line as f64 + HEIGHT / 2.0;
-                let (x, y) = (style::EDGE + 12.0, middle);
-                canvas.raw(&format!("<g transform=\"rotate(-90 {x:.1} {y:.1})\">"));
-                canvas.text((x, y), Anchor::Middle, 12.0, FAINT_INK, &self.y.heading());
-                canvas.raw("</g>\n");
+        for (first, legends) in legends.chunks(beside).enumerate() {
+            let above = top + head(legends);
+            for (j, legend) in legends.iter().enumerate() {
+                let (k, edge) = (first * beside + j, style::EDGE + (share + GAP) * j as f64);
+                legend.draw(&mut canvas, &self.groups[k], (edge, top));
+                for (c, column) in self.columns.iter().enumerate() {
+                    let left = edge + LEFT + pitch * (c % across) as f64;
+                    let top = above + BELOW * (c / across) as f64;
+                    let (right, bottom) = (left + width, top + HEIGHT);
+                    let frame = Frame { x, y: (0.0, 1.04), left, right, top, bottom };
+                    self.draw_panel(&mut canvas, &frame, k, c);
+                    canvas.text((left, top - 7.0), Anchor::Start, TEXT, FAINT_INK, column);
+                }
+                for line in 0..lines {
+                    let middle = above + BELOW * line as f64 + HEIGHT / 2.0;
+                    let (x, y) = (edge + 12.0, middle);
+                    canvas.raw(&format!("<g transform=\"rotate(-90 {x:.1} {y:.1})\">"));
+                    canvas.text((x, y), Anchor::Middle, 13.0, FAINT_INK, &self.y.heading());
+                    canvas.raw("</g>\n");
+                }
             }
             top = above + panels;
         }
@@ -195,12 +209,12 @@ impl Profiles {
         });
         for tick in &rows {
             let (_, y) = frame.place((frame.x.0, tick.at));
-            canvas.text((frame.left - 6.0, y + 4.0), Anchor::End, 12.0, FAINT_INK, &tick.label);
+            canvas.text((frame.left - 6.0, y + 4.0), Anchor::End, 13.0, FAINT_INK, &tick.label);
         }
         for tick in &columns {
             let (x, _) = frame.place((tick.at, 0.0));
             let at = (x, frame.bottom + 16.0);
-            canvas.text(at, Anchor::Middle, 12.0, FAINT_INK, &tick.label);
+            canvas.text(at, Anchor::Middle, 13.0, FAINT_INK, &tick.label);
         }
         let draw = |canvas: &mut Canvas, curve: &Curve, color, width, dash: &[u32]| {
             let Some((steps, _)) = curve.columns.get(column) else { return };
@@ -236,7 +250,7 @@ impl Group {
     }
 }
 
-/// The names above a line of panels, and their positions.
+/// The names above the panels of a group, and their positions.
 struct Legend {
     entries: Vec<(String, (f64, f64))>,
     lines: usize,
@@ -244,12 +258,12 @@ struct Legend {
 
 impl Legend {
     fn of(group: &Group, wide: f64) -> Self {
-        let (mut x, mut line) = (style::EDGE, 0);
+        let (mut x, mut line) = (0.0, 0);
         let mut entries = Vec::new();
         for label in group.curves.iter().map(Curve::label) {
             let length = SAMPLE + 8.0 + style::width(&label, TEXT);
-            if x + length > wide - style::EDGE && x > style::EDGE {
-                (x, line) = (style::EDGE, line + 1);
+            if x + length > wide && x > 0.0 {
+                (x, line) = (0.0, line + 1);
             }
             entries.push((label, (x, LINE * line as f64)));
             x += length + 18.0;
@@ -257,12 +271,12 @@ impl Legend {
         Legend { entries, lines: line + 1 }
     }
 
-    fn draw(&self, canvas: &mut Canvas, group: &Group, top: f64) {
-        canvas.text((style::EDGE, top + 16.0), Anchor::Start, 15.0, INK, &group.name);
+    fn draw(&self, canvas: &mut Canvas, group: &Group, (left, top): (f64, f64)) {
+        canvas.text((left, top + 16.0), Anchor::Start, 15.0, INK, &group.name);
         for ((label, (x, y)), look) in self.entries.iter().zip(group.looks()) {
-            let y = top + 34.0 + y;
+            let (x, y) = (left + x, top + 34.0 + y);
             let (r, g, b) = look.color;
-            let ends = [(*x, y), (x + SAMPLE, y)].map(|(x, y)| (fine(x), fine(y)));
+            let ends = [(x, y), (x + SAMPLE, y)].map(|(x, y)| (fine(x), fine(y)));
             canvas.layer(&dashes(look.dash), |layer| {
                 layer.draw(&PathElement::new(ends, stroke(RGBColor(r, g, b), style::LINE)))
             });

@@ -43,6 +43,24 @@ fn the_data_have_every_step_of_every_panel() {
 }
 
 #[test]
+fn groups_with_one_panel_stand_side_by_side_without_counts() {
+    let mut figure = profiles();
+    let two = figure.svg();
+    figure.columns.truncate(1);
+    for group in &mut figure.groups {
+        group.curves.iter_mut().for_each(|curve| curve.columns.truncate(1));
+    }
+    assert_well_formed(&figure);
+    let height = |svg: &str| {
+        svg.split("viewBox=\"0 0 ")
+            .nth(1)
+            .and_then(|own| own.split('"').next()?.split(' ').nth(1)?.parse::<f64>().ok())
+    };
+    assert!(height(&figure.svg()) < height(&two));
+    assert!(figure.svg().contains(">pgs</text>"));
+}
+
+#[test]
 fn a_solver_that_solves_nothing_has_a_line_at_zero() {
     let mut figure = profiles();
     figure.groups[0].curves[0].columns = vec![(Vec::new(), 4), (Vec::new(), 0)];
