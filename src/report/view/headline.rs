@@ -15,8 +15,6 @@ pub struct Headline {
     pub table: Option<(String, Table)>,
     /// The result of its checks, as a number and what it counts.
     pub result: Option<[String; 2]>,
-    /// Whether the result is mixed although the checks pass.
-    pub is_mixed: bool,
 }
 
 impl Headline {
@@ -37,18 +35,17 @@ pub(super) struct Top {
 }
 
 impl Top {
-    /// Adds a section's part; returns its answer and figure for the section itself if an earlier
-    /// section has given an answer.
+    /// Adds a section's part; returns its answer, figure and table for the section itself if an
+    /// earlier section has given an answer.
     pub fn add(&mut self, headline: Headline, section: &str, good: bool) -> Headline {
-        self.tables.extend(headline.table);
-        let good = if good && headline.is_mixed { None } else { Some(good) };
+        let good = Some(good);
         let tile =
             |[value, label]: [String; 2]| Tile { value, label, section: section.into(), good };
-        self.tiles.extend(headline.result.map(tile));
+        self.tiles.extend(headline.result.clone().map(tile));
         if self.answer.is_some() {
-            let Headline { answer, figure, .. } = headline;
-            return Headline { answer, figure, ..Headline::default() };
+            return Headline { result: None, ..headline };
         }
+        self.tables.extend(headline.table);
         self.answer = headline.answer;
         self.figures.extend(headline.figure);
         Headline::default()

@@ -123,13 +123,14 @@ pub fn document(results: &Results) -> Result<ReportPage> {
             let failed = part.tasks.iter().any(|task| task.failure.is_some());
             let good = study.outcome(&findings)?.good && !failed;
             let fold = part.shown.fold.filter(|_| good);
-            let Headline { answer, figure, .. } =
+            let Headline { answer, figure, table, .. } =
                 top.add(study.headline(&findings)?, &part.id, good);
             if let Some(answer) = answer {
                 document.text(answer);
             }
-            if let Some(figure) = figure.filter(|_| fold != Some(Fold::Answer)) {
-                document.boxed(figure);
+            if fold != Some(Fold::Answer) {
+                table.into_iter().for_each(|(id, table)| document.table(&id, table));
+                figure.into_iter().for_each(|figure| document.boxed(figure));
             }
             if !matches!(fold, Some(Fold::Figure | Fold::Answer)) {
                 let figures = document.figures.len();
@@ -188,7 +189,7 @@ fn origin(results: &Results, part: &Part) -> Origin {
     }
     Origin {
         scene: named,
-        settings: toml::to_string(&settings).unwrap_or_default().trim().replace('\n', "; "),
+        settings: toml::to_string(&settings).unwrap_or_default().trim().into(),
         command: command + &section,
     }
 }
@@ -238,10 +239,11 @@ fn facts(results: &Results) -> Vec<(String, String)> {
     let facts = [
         ("lcplab".into(), results.version.clone()),
         ("libraries".into(), results.libraries.join(", ")),
-        ("report".into(), results.name.clone()),
         ("platform".into(), results.machine.platform.clone()),
-        ("threads".into(), results.machine.threads.to_string()),
-        ("wall time".into(), format!("{:.1} s", results.machine.seconds)),
+        (
+            "wall time".into(),
+            format!("{:.1} s, {} threads", results.machine.seconds, results.machine.threads),
+        ),
         ("reproduce".into(), command(results)),
     ];
     facts.into_iter().chain(stopped).collect()

@@ -22,12 +22,8 @@ pub(super) fn show(results: &Results, document: &mut ReportPage) -> Result<()> {
         let row = vec![Cell::text(&part.title), Cell::text(says.trim()), verdict];
         (!says.is_empty()).then_some(row)
     });
-    let table = Table::new(
-        "The checks, section by section",
-        "One row for each section with checks; the section on the page explains its numbers.",
-        "section | result | outcome",
-        rows.collect(),
-    );
+    let table =
+        Table::new("The checks of this report", "", "check | result | outcome", rows.collect());
     document.table("summary", table);
     Ok(())
 }

@@ -67,27 +67,19 @@ impl View for Plan {
         let claimed = sum(|run| run.tally.claimed);
         let confirmed = claimed - sum(|run| run.tally.rejected_claims);
         let given_up = sum(|run| run.tally.solves) - claimed;
-        let (value, label) = match given_up {
-            0 => (
-                format!("{} of {}", count(confirmed), count(claimed)),
-                "answers accepted by an independent judge".to_string(),
-            ),
-            _ => (
-                format!("{} solved, {} not", count(confirmed), count(given_up)),
-                format!(
-                    "problems; the judge accepts {} of {} claimed answers. Without one: {}",
-                    count(confirmed),
-                    count(claimed),
-                    self.given_up(findings)
-                ),
-            ),
+        let without = match given_up {
+            0 => String::new(),
+            _ => format!("; none to {} problems: {}", count(given_up), self.given_up(findings)),
         };
-        let result = Some([value, label]);
+        let result = Some([
+            format!("{} of {}", count(confirmed), count(claimed)),
+            format!("answers accepted by an independent judge{without}"),
+        ]);
         let answer = self.held(findings);
         let figure = answer
             .is_some()
             .then(|| -> Box<dyn Figure> { Box::new(matrix::matrix(findings, &self.schemes)) });
-        Headline { result, figure, is_mixed: given_up > 0, ..Headline::of(answer) }
+        Headline { result, figure, ..Headline::of(answer) }
     }
 
     fn outcome(&self, findings: &[Comparison]) -> Outcome {
@@ -131,25 +123,28 @@ impl Plan {
             count if count == self.schemes.len() => "All schemes keep".into(),
             _ => format!("Only {} keep", listed(&kept)),
         };
-        let named = |scene: &&&Comparison| scene.scene.replace('_', " ");
+        let named = |scene: &Comparison| scene.scene.replace('_', " ");
         let lost: Vec<_> = scenes
             .iter()
             .filter(|own| !self.schemes.iter().any(|scheme| obeys(matrix::energy, own, *scheme)))
-            .map(|own| named(&own))
+            .map(|own| named(own))
             .collect();
         let lost = match lost.is_empty() {
             true => String::new(),
             false => format!("; no scheme keeps the energy of {}", listed(&lost)),
         };
-        let all: Vec<_> = scenes.iter().map(|own| named(&own)).collect();
+        let all: Vec<_> = scenes.iter().map(|own| named(own)).collect();
+        let mut steps: Vec<_> = scenes.iter().map(|own| readable(own.dt, 3)).collect();
+        steps.dedup();
         Some(format!(
-            "**{kept} gaps and joints within {} % of a body's thickness in {}{lost}.**",
+            "**{kept} gaps and joints within {} % of a body's thickness in {} with dt = {} s{lost}.**",
             readable(100.0 * HELD, 2),
-            listed(&all)
+            listed(&all),
+            listed(&steps)
         ))
     }
 
-    /// The problems without an answer: of one scheme, of one solver, or of several.
+    /// The schemes or solvers with problems without an answer, and the reason of a single one.
     fn given_up(&self, findings: &[Comparison]) -> String {
         let runs = findings.iter().flat_map(|comparison| &comparison.runs);
         let mut ways: Vec<(&str, String)> = Vec::new();
@@ -158,23 +153,21 @@ impl Plan {
                 "none" => run.scheme.as_str(),
                 solver => solver,
             };
-            let reason = run.tally.trouble.as_deref().unwrap_or_default();
-            let reason = reason.split(": ").nth(1).unwrap_or(reason);
+            let reason = run.tally.unsolved.clone().unwrap_or_default();
             let reason = match run.tally.iterations % run.tally.solves {
                 0 if reason == Status::IterationLimit.to_string() => {
                     format!("stopped after {} sweeps", run.tally.iterations / run.tally.solves)
                 }
-                _ => reason.to_string(),
+                _ => reason,
             };
             if !ways.iter().any(|(own, _)| *own == way) {
                 ways.push((way, reason));
             }
         }
-        let ways: Vec<String> = ways
-            .iter()
-            .map(|(way, reason)| format!("{way} ({reason})").replace(" ()", ""))
-            .collect();
-        listed(&ways)
+        match &ways[..] {
+            [(way, reason)] if !reason.is_empty() => format!("{way} ({reason})"),
+            _ => listed(&ways.iter().map(|(way, _)| *way).collect::<Vec<_>>()),
+        }
     }
 }
 

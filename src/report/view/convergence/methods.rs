@@ -1,9 +1,9 @@
 //! The residual of several methods by iteration and by multiplication.
 
-use crate::number::{capitalized, count, readable};
+use crate::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series};
-use crate::report::page::{Cell, Column, Table};
-use crate::report::study::convergence::methods::{Mark, MethodProgress, Progress};
+use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::study::convergence::methods::{self as measured, MethodProgress, Progress};
 use crate::report::study::trial;
 use crate::report::view::attempt::{
     anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
@@ -21,12 +21,10 @@ const SUPPORTED: f64 = 1e-5;
 
 pub(super) fn show(problems: &[&Progress], document: &mut ReportPage) {
     document.text(
-        "Iterations of different methods have different costs: a Newton step solves a linear system, a sweep \
-         is one product with A. The residual is therefore plotted against the number of multiplications (the \
-         leading term of the operation count). Sweeps first remove the part of the error that changes sign from \
+        "Iterations of different methods have different costs, so the residual is plotted against the number of \
+         multiplications (the leading term of the operation count). Sweeps first remove the part of the error that changes sign from \
          contact to contact. Then each sweep multiplies the residual by the spectral radius of the iteration \
-         matrix on the active set, the rows between their bounds. Silcowitz et al. (2010) and Mazhar et al. (2015) \
-         plot the residual; where the problem has a weight, the figure also shows how much of it is still unsupported.",
+         matrix on the active set, the rows between their bounds.",
     );
     for progress in problems {
         document.figure(by_work(progress));
@@ -46,12 +44,10 @@ pub(super) fn outcome(problems: &[&Progress]) -> Outcome {
 /// The cheapest solver, the cost of each, and the cheapest ones of other problems.
 pub(super) fn headline(progress: &Progress, choices: &[&Progress]) -> Headline {
     let solved = by_cost(progress);
-    let [first, second, ..] = solved[..] else { return Headline::default() };
+    let [first, _, ..] = solved[..] else { return Headline::default() };
     let figure: Box<dyn Figure> = Box::new(costs(progress, &solved));
     let table = (!choices.is_empty()).then(|| ("choices".to_string(), choice(choices)));
-    let mut answer = answer(progress, solved.len(), first, second);
-    answer += &taller(choices).unwrap_or_default();
-    let answer = Some(answer);
+    let answer = Some(answer(progress, solved.len(), first, choices));
     Headline { answer, figure: Some(figure), table, ..Headline::default() }
 }
 
@@ -67,35 +63,33 @@ fn answer(
     progress: &Progress,
     solved: usize,
     first: &MethodProgress,
-    second: &MethodProgress,
+    choices: &[&Progress],
 ) -> String {
     let tried = progress.methods.iter().filter(|method| method.outcome.is_attempt()).count();
     let iterations = first.marks.last().map_or(0, |end| end.iteration);
     let compared = budget(progress).map_or(String::new(), |ten| {
-        let left = left(progress);
+        let left = left(progress).map_or(String::new(), |share| {
+            format!(
+                ", which leave {share} of the weight unsupported, because each passes the load only from contact to contact"
+            )
+        });
         format!(
-            ", {} the work of ten projected Gauss-Seidel sweeps (*pgs*){}",
-            part(work(first) / ten),
-            left.map_or(String::new(), |share| format!(
-                ", which leave {share} of the weight unsupported"
-            ))
+            ", {} the work of ten sweeps of *pgs* (projected Gauss-Seidel){left}",
+            part(work(first) / ten)
         )
     });
-    let more = match work(second) / work(first) {
-        ratio if ratio < 2.0 => format!("{} % more", readable((100.0 * (ratio - 1.0)).round(), 2)),
-        ratio => format!("{} times as much", rough(ratio)),
-    };
     let all = match solved == tried {
         true => format!("All {solved}"),
         false => format!("{solved} of {tried}"),
     };
     format!(
-        "**For a stack of {}, {} is cheapest:** {}{compared}. {} costs {more}. {all} solvers reach a scaled \
-         residual of {} and pass an independent check.",
+        "**For a stack of {} ({} rows), {} is cheapest:** {}{compared}.{} {all} solvers reach a scaled residual of {} \
+         and pass an independent check.",
         in_words(&progress.problem),
+        count(progress.rows),
         named(&first.solver),
         iterations_in_words(&first.solver, iterations),
-        capitalized(&named(&second.solver)),
+        reversed(first, choices).unwrap_or_default(),
         tolerance(progress.tolerance),
     )
 }
@@ -119,22 +113,27 @@ fn in_words(problem: &str) -> String {
 /// A solver at its first mention.
 fn named(solver: &str) -> String {
     match solver {
-        "lemke" => "Lemke's pivoting method (lemke)".into(),
-        "dantzig" => "Dantzig's pivoting method (dantzig)".into(),
+        "lemke" => "Lemke's pivoting method".into(),
+        "dantzig" => "Dantzig's pivoting method".into(),
         other => other.into(),
     }
 }
 
-/// The cost of the cheapest solver of the largest stack.
-fn taller(choices: &[&Progress]) -> Option<String> {
+/// The largest problem for which another solver is cheapest.
+fn reversed(first: &MethodProgress, choices: &[&Progress]) -> Option<String> {
     let largest = choices.iter().max_by_key(|progress| progress.rows)?;
-    let first = *by_cost(largest).first()?;
-    Some(format!(
-        " For {}, {} costs as much as {} sweeps of pgs; larger stacks are not measured here.",
-        largest.problem,
-        first.solver,
-        readable(10.0 * work(first) / budget(largest)?, 2)
-    ))
+    let solved = by_cost(largest);
+    let [best, own] = [solved.first()?, solved.iter().find(|own| own.solver == first.solver)?];
+    (best.solver != own.solver).then(|| {
+        format!(
+            " **Larger, sparse problems reverse this:** for {} ({} rows), *{}* costs {} times as much as *{}*.",
+            largest.problem,
+            count(largest.rows),
+            own.solver,
+            rough(work(own) / work(best)),
+            best.solver
+        )
+    })
 }
 
 /// The share of the weight that ten sweeps of PGS leave unsupported.
@@ -147,55 +146,43 @@ fn pgs(progress: &Progress) -> Option<&MethodProgress> {
     progress.methods.iter().find(|method| method.solver == Pgs::NAME)
 }
 
-/// The cheapest method of each problem, its cost, and the weight that ten sweeps of PGS leave
-/// unsupported.
+/// The cost of PGS, of the cheapest method of each problem, and the weight that ten sweeps of PGS
+/// leave unsupported.
 fn choice(choices: &[&Progress]) -> Table {
-    // The two cheapest of any stack.
-    let mut cheap: Vec<&str> = Vec::new();
-    for method in choices.iter().flat_map(|progress| by_cost(progress).into_iter().take(2)) {
-        cheap.extend((!cheap.contains(&method.solver.as_str())).then_some(method.solver.as_str()));
+    let mut shown: Vec<&str> = Vec::new();
+    let cheapest =
+        choices.iter().filter_map(|progress| Some(by_cost(progress).first()?.solver.as_str()));
+    for solver in cheapest.chain([Pgs::NAME]) {
+        shown.extend((!shown.contains(&solver)).then_some(solver));
     }
     let row = |progress: &&Progress| {
         let solved = by_cost(progress);
         let cost = |solver: &&str| {
             let method = solved.iter().find(|method| method.solver == *solver);
-            let sweep = budget(progress).map(|ten| ten / 10.0);
-            let cost = method.zip(sweep).map(|(method, sweep)| work(method) / sweep);
-            cost.map_or(Cell::text("–"), |cost| Cell::number(cost, 2))
+            let cost = method.zip(budget(progress)).map(|(method, ten)| 10.0 * work(method) / ten);
+            let mark = if solved[0].solver == *solver { Mark::Good } else { Mark::Plain };
+            cost.map_or(Cell::text("–"), |cost| Cell {
+                value: Some(cost),
+                ..Cell::text(rough(cost))
+            })
+            .marked(mark)
         };
-        let failed: Vec<&str> = progress
-            .methods
-            .iter()
-            .filter(|method| method.outcome.is_attempt() && !method.outcome.is_solved())
-            .map(|method| method.solver.as_str())
-            .collect();
-        let sweeps =
-            pgs(progress).filter(|pgs| pgs.outcome.is_solved()).and_then(|pgs| pgs.marks.last());
-        let mut cells = vec![Cell::text(progress.problem.replace(" = ", "\u{a0}=\u{a0}"))];
-        cells.extend(cheap.iter().map(cost));
-        cells.extend([
-            sweeps.map_or(Cell::text("–"), |end| Cell::count(end.iteration)),
-            left(progress).map_or(Cell::text("–"), Cell::text),
+        let mut cells = vec![
+            Cell::text(progress.problem.replace(" = ", "\u{a0}=\u{a0}")),
             Cell::count(progress.rows),
-            Cell::text(if failed.is_empty() { "none".into() } else { failed.join(", ") }),
-        ]);
+        ];
+        cells.extend(shown.iter().map(cost));
+        cells.push(left(progress).map_or(Cell::text("–"), Cell::text));
         cells
     };
-    let mut columns = vec![Column::words("stack")];
-    columns.extend(cheap.iter().map(|solver| Column::numbers(*solver, "sweeps")));
-    columns.extend([
-        Column::numbers(Pgs::NAME, "sweeps"),
-        Column::numbers("unsupported", "after 10 sweeps"),
-        Column::numbers("size", "rows"),
-        Column::words("solvers that fail"),
-    ]);
+    let mut columns = vec![Column::words("problem"), Column::numbers("size", "rows")];
+    columns.extend(shown.iter().map(|solver| Column::numbers(*solver, "sweeps")));
+    columns.push(Column::numbers("unsupported", "after 10 sweeps"));
     Table {
-        title: "Which solver for which stack".into(),
-        how_to_read: "*mass ratio*: that of the top box to each of the others. The columns of solvers: the cost until \
-                      the residual is within the tolerance, in sweeps of *pgs*, of which engines typically take ten. \
-                      *unsupported*: the part of the total weight. *solvers that fail*: not within the tolerance \
-                      after the maximum number of iterations. A stack is a hard case for sweeps and has redundant \
-                      contacts."
+        title: "Which solver for which problem".into(),
+        how_to_read: "The cost of each solver in sweeps of *pgs*, of which engines typically take ten; ✓: the cheapest \
+                      of all; –: not within the tolerance after the maximum number of iterations. *mass ratio*: the top \
+                      box to each of the others. *unsupported*: of the weight, after ten sweeps of *pgs*."
             .into(),
         columns,
         rows: choices.iter().map(row).collect(),
@@ -215,10 +202,9 @@ fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
         id: id(&progress.problem, "costs"),
         title: title(progress),
         caption: format!(
-            "Multiplications needed to reach a scaled residual of {} (leading term of the operation count), for {} \
-             rows, starting from x = 0. Ten sweeps of *pgs* per step are a typical budget in engines.{}",
+            "Multiplications needed to reach a scaled residual of {} (leading term of the operation count), \
+             starting from x = 0. Ten sweeps of *pgs* per step are a typical budget in engines.{}",
             tolerance(progress.tolerance),
-            count(progress.rows),
             full_names(solved.iter().map(|method| method.solver.as_str()))
         ),
         x: Axis::log("multiplications", ""),
@@ -248,7 +234,11 @@ fn curve(solver: &str, points: Vec<(f64, f64)>) -> Series {
 }
 
 /// The curve of each method, with its name at the end; those with only a final mark are points.
-fn curves(progress: &Progress, value: fn(&Mark) -> Option<f64>, named: bool) -> Vec<Series> {
+fn curves(
+    progress: &Progress,
+    value: fn(&measured::Mark) -> Option<f64>,
+    named: bool,
+) -> Vec<Series> {
     let series = |method: &MethodProgress| {
         let points = method.marks.iter().filter_map(|mark| Some((mark.work, value(mark)?)));
         let label = if named { method.solver.as_str() } else { "" };
@@ -266,7 +256,7 @@ fn slope(method: &MethodProgress) -> Option<Series> {
     if method.marks[half..].iter().any(|mark| mark.changed) || is_faster(method)? {
         return None;
     }
-    let at = |mark: &Mark| {
+    let at = |mark: &measured::Mark| {
         let sweeps = end.iteration as f64 - mark.iteration as f64;
         (mark.work, end.residual * rate.powf(-sweeps))
     };
@@ -299,7 +289,8 @@ fn by_work(progress: &Progress) -> Lines {
     residuals.push(asked(progress));
     residuals.extend(ten_sweeps(progress, "ten sweeps of pgs"));
     let mut panels = vec![Panel { y: Axis::log("scaled residual", ""), series: residuals }];
-    let percent = |mark: &Mark| Some(100.0 * mark.unsupported?).filter(|share| *share > SUPPORTED);
+    let percent =
+        |mark: &measured::Mark| Some(100.0 * mark.unsupported?).filter(|share| *share > SUPPORTED);
     let mut unsupported = curves(progress, percent, false);
     if !unsupported.is_empty() {
         unsupported.extend(ten_sweeps(progress, ""));
@@ -310,31 +301,14 @@ fn by_work(progress: &Progress) -> Lines {
         title: finding(progress),
         caption: format!(
             "{} rows; SOR uses ω = {}; a product with A takes {} multiplications. The cost of a method is where its \
-             curve meets the tolerance; a pivoting method has one marker, at its end. Pale bands: the spectral \
-             radius, over the second half of the sweeps{}.{}",
+             curve meets the tolerance; a pivoting method has one marker, at its end. Pale bands: the rate that the \
+             spectral radius predicts, where a method does not converge faster.",
             count(progress.rows),
             readable(progress.omega, 3),
             count(progress.stored),
-            progress.methods.iter().filter_map(radius).collect::<String>(),
-            faster_than_radius(progress)
         ),
         x: Axis::log("multiplications", ""),
         panels,
-    }
-}
-
-/// The sweep methods that end faster than the spectral radius says: Jacobi's sweeps keep the
-/// symmetry of a symmetric stack, so that their error has no part along an eigenvector without it.
-fn faster_than_radius(progress: &Progress) -> String {
-    let is_faster = |method: &&MethodProgress| is_faster(method) == Some(true);
-    let faster = progress.methods.iter().filter(is_faster);
-    let names: Vec<&str> = faster.map(|method| method.solver.as_str()).collect();
-    match names.is_empty() {
-        true => String::new(),
-        false => format!(
-            " Faster than its spectral radius: {}, whose error has no part along the eigenvector.",
-            names.join(", ")
-        ),
     }
 }
 
@@ -345,11 +319,6 @@ fn is_faster(method: &MethodProgress) -> Option<bool> {
     let sweeps = end.iteration as f64 - middle.iteration as f64;
     let measured = (end.residual / middle.residual).ln() / sweeps;
     Some(measured < FASTER * method.rate?.ln())
-}
-
-/// The predicted factor per sweep of a method.
-fn radius(method: &MethodProgress) -> Option<String> {
-    Some(format!("; {}: {:.5} per sweep", method.solver, method.rate?))
 }
 
 /// The cost of the cheapest solver, and what ten sweeps of PGS leave.
@@ -373,8 +342,9 @@ fn finding(progress: &Progress) -> String {
 fn title(progress: &Progress) -> String {
     match by_cost(progress)[..] {
         [first, .., last] => format!(
-            "{}: {} is cheapest, {} costs {} times as much",
+            "{} ({} rows): {} is cheapest, {} costs {} times as much",
             progress.problem,
+            count(progress.rows),
             first.solver,
             last.solver,
             rough(work(last) / work(first))

@@ -19,19 +19,15 @@ impl Rows {
             self.bodies
         ));
         document.figure(self.figure(section_id(document) + "_rows", maps));
-        document.text(Self::words(maps));
     }
 
-    /// The finding: how many contacts a sweep from the top carries the ground's impulse up.
+    /// The finding: how many sweeps from the top the ground's impulse needs.
     fn title(&self, maps: &[&RowResiduals]) -> String {
         let down = maps.iter().find(|map| map.method == Sweep::Down);
         let reached = down.and_then(|map| Some((map.residuals.len() - 2, arrival(map)?)));
         match reached {
-            Some((contacts, sweeps)) if contacts == sweeps => {
-                "From the top down, a sweep carries the ground's impulse up by one contact".into()
-            }
             Some((contacts, sweeps)) => format!(
-                "From the top down, the ground's impulse needs {sweeps} sweeps for {contacts} contacts"
+                "From the top down, the ground's impulse needs {sweeps} sweeps to pass {contacts} contacts"
             ),
             None => format!("Residuals in {} sweeps", self.sweeps),
         }
@@ -61,18 +57,6 @@ impl Rows {
             zero: ROUNDING,
             panels: maps.iter().map(panel).collect(),
         }
-    }
-
-    fn words(maps: &[&RowResiduals]) -> String {
-        let of = |map: &&RowResiduals| {
-            let arrives = arrival(map).map_or("never".into(), |sweep| sweep.to_string());
-            format!("{arrives} (*{}*)", map.method.name())
-        };
-        let arrivals: Vec<String> = maps.iter().map(of).collect();
-        format!(
-            "Number of sweeps until the impulse from the ground reaches the second contact from the top: {}.",
-            arrivals.join("; ")
-        )
     }
 }
 

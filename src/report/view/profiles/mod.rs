@@ -4,7 +4,7 @@ mod failures;
 
 use super::attempt::{listed, tolerance};
 use super::{Headline, Outcome, ReportPage, View};
-use crate::number::readable;
+use crate::number::{count as number, readable};
 use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -20,8 +20,7 @@ problem p, in multiplications, or ∞ if it did not solve it. Then
 
 $$r_{ps} = \frac{t_{ps}}{\min_s t_{ps}}, \qquad \rho_s(\tau) = \frac{|\{p \in P : r_{ps} \le \tau\}|}{|P|}$$
 
-One profile uses all problems $P$ that have a solution, the other only those that the solver attempted. The first one favors
-general solvers, the second one is fair to specialized solvers.
+$P$ are all problems that have a solution, also those that a specialized solver declines.
 ";
 
 impl View for Plan {
@@ -34,10 +33,10 @@ impl View for Plan {
         }
         document.text(
             "Every solver is run on every problem, at each precision, from $x = 0$. *Solved* means that the solver \
-             reports a solution and the judge accepts it; problems that a solver declines are not counted as attempts.",
+             reports a solution and the judge accepts it.",
         );
-        document.figure(self.by_work(tried, &solvers));
         document.text(self.words(tried, &solvers));
+        document.figure(self.by_work(tried, &solvers));
         document.aside("What a performance profile is", PROFILE);
         document.table("profiles_cost", iteration_costs());
         document.table("profiles_solvers", self.by_solver(tried, &solvers));
@@ -51,9 +50,7 @@ impl View for Plan {
     }
 
     fn headline(&self, tried: &[FamilyAttempts]) -> Headline {
-        // No solver solves all problems.
-        let result = self.most_solved(tried);
-        Headline { result, is_mixed: true, ..Headline::of(self.answer(tried)) }
+        Headline { result: self.result(tried), ..Headline::of(self.answer(tried)) }
     }
 
     fn outcome(&self, tried: &[FamilyAttempts]) -> Outcome {
@@ -106,35 +103,33 @@ impl Plan {
         ))
     }
 
-    /// The most problems that a solver solves, and those solvers.
-    fn most_solved(&self, tried: &[FamilyAttempts]) -> Option<[String; 2]> {
+    /// The accepted answers, the most problems that a solver solves, and those solvers.
+    fn result(&self, tried: &[FamilyAttempts]) -> Option<[String; 2]> {
         let last = self.tolerances.len().checked_sub(1)?;
         let (solvers, costs) = (solvers(tried), costs(tried, last));
         let (best, named) = best_of_all(&solvers, &costs)?;
-        let value = format!("{best} of {}", costs.len());
-        Some([
-            value,
-            format!("problems solved, the most of {} solvers: {}", solvers.len(), listed(&named)),
-        ])
+        let all = |of| number(count(tried, None, None, of));
+        let [solved, claimed] =
+            [all(|own| own.outcome.is_solved()), all(|own| own.outcome.is_claim())];
+        let words = format!(
+            "answers accepted by an independent judge; at most {best} of {} problems solved by one solver: {}",
+            costs.len(),
+            listed(&named)
+        );
+        Some([format!("{solved} of {claimed}"), words])
     }
 
-    /// By multiplications, at the last tolerance: for all problems, and for those that a solver
-    /// attempted.
+    /// By multiplications, at the last tolerance.
     fn by_work(&self, tried: &[FamilyAttempts], solvers: &[String]) -> Profiles {
-        let last = self.tolerances.len().saturating_sub(1);
-        let costs = costs(tried, last);
-        let precision = self.tolerances.get(last).map_or(String::new(), |own| tolerance(*own));
-        let columns = vec![
-            (format!("{precision}, of all problems"), profiles(&of_all(&costs))),
-            (format!("{precision}, of attempted problems"), profiles(&costs)),
-        ];
-        let caption = "A curve is the share of the problems that a solver solves within τ times the \
-         cheapest solver's multiplications; the number of problems is in brackets, one for each column if \
-         they differ. The left end shows how often the solver is the cheapest, the right end how often it \
-         succeeds at all; higher is better. The curves of other groups are pale. Sweeps and Newton's \
-         method do not check whether A is symmetric, so they attempt problems outside their class and fail \
-         on them.";
-        drawn(caption, solvers, columns)
+        let costs = costs(tried, self.tolerances.len().saturating_sub(1));
+        let caption = format!(
+            "A curve is the share of the {} problems that a solver solves within τ times the cheapest solver's \
+             multiplications (tolerance {}). The left end shows how often the solver is the cheapest, the right end how \
+             often it succeeds at all. The curves of other groups are pale.",
+            costs.len(),
+            self.tolerances.last().map_or(String::new(), |own| tolerance(*own))
+        );
+        drawn(caption, solvers, &profiles(&of_all(&costs)))
     }
 
     /// The solvers that solved everything they attempted, and the cheapest ones, at the last
@@ -242,32 +237,28 @@ fn solvers(tried: &[FamilyAttempts]) -> Vec<String> {
     attempts.into_iter().flatten().map(|attempt| attempt.solver.clone()).collect()
 }
 
-/// Profiles as a figure: one row of panels per group of solvers, one column per title.
-fn drawn(caption: &str, solvers: &[String], columns: Vec<(String, Vec<Profile>)>) -> Profiles {
-    let is_counted = |solver: usize| columns.iter().any(|(_, own)| own[solver].attempted > 0);
+/// Profiles as a figure: one panel per group of solvers.
+fn drawn(caption: String, solvers: &[String], profiles: &[Profile]) -> Profiles {
     let curve = |solver: usize| Curve {
         name: solvers[solver].clone(),
-        columns: columns
-            .iter()
-            .map(|(_, own)| (own[solver].steps.clone(), own[solver].attempted))
-            .collect(),
+        columns: vec![(profiles[solver].steps.clone(), profiles[solver].attempted)],
     };
     let group = |group: Option<Group>| Line {
         name: group.map_or("Others", Group::name).into(),
         curves: (0..solvers.len())
             .filter(|solver| group_of(&solvers[*solver]) == group)
-            .filter(|solver| is_counted(*solver))
+            .filter(|solver| profiles[*solver].attempted > 0)
             .map(curve)
             .collect(),
     };
     let groups = Group::ALL.into_iter().map(Some).chain([None]).map(group);
     Profiles {
         id: "performance_profiles".into(),
-        title: finding(solvers, columns.iter().nth_back(1).map_or(&[], |(_, profiles)| profiles)),
-        caption: caption.into(),
+        title: finding(solvers, profiles),
+        caption,
         x: Axis::log("τ: cost relative to the cheapest solver", ""),
         y: Axis::linear("share solved", ""),
-        columns: columns.iter().map(|(title, _)| title.clone()).collect(),
+        columns: vec![String::new()],
         groups: groups.filter(|group| !group.curves.is_empty()).collect(),
     }
 }
@@ -284,8 +275,8 @@ fn finding(solvers: &[String], of_all: &[Profile]) -> String {
             + &format!(" ({}\u{a0}%)", readable(100.0 * most, 2))
     };
     format!(
-        "Of all problems, {}; {}",
-        best(&at_end, ["solves the most", "solve the most"]),
+        "{}; {}",
+        best(&at_end, ["solves the most problems", "solve the most problems"]),
         best(&at_one, ["is the cheapest most often", "are the cheapest most often"])
     )
 }

@@ -17,11 +17,10 @@ const MOST: usize = 200;
 
 pub(super) fn show(scenes: &[&Patterns], factors: &[&Factor], document: &mut ReportPage) {
     document.text(
-        "A row of $J$ has entries only for the one or two bodies it joins, and two rows of \
-         $A = J M^{-1} J^T$ are coupled only if they share a moving body. The larger the scene, the sparser \
-         its $A$ (the chapter's Figure 13). The work of a sweep that skips the zeros of $A$ is \
-         proportional to the number of contacts, not to its square. A direct method factors $A = L L^T$, and \
-         $L$ has additional entries, the fill-in, whose number depends on the order of elimination.",
+        "Two rows of $A = J M^{-1} J^T$ are coupled only if they share a moving body, so the larger the scene, the \
+         sparser its $A$ (the chapter's Figure 13). The work of a sweep that skips the zeros is proportional to the number \
+         of contacts, not to its square. A direct method factors $A = L L^T$, and $L$ has additional entries, the fill-in, \
+         whose number depends on the order of elimination.",
     );
     for (k, scene) in scenes.iter().enumerate() {
         if scene.blocks.is_empty() || scene.rows > MOST {
@@ -60,11 +59,9 @@ fn figure(found: &Patterns, factors: &[&Factor]) -> SceneMatrix {
         id: format!("sparsity_{}", stem(&found.scene)),
         title: format!("{}: A is {full} % full, in {} of {all} blocks", found.scene, pairs.len()),
         caption: format!(
-            "The scene, and its A in step {} ({} rows): a block couples the rows of one pair of bodies with those of the same or another pair. Pale \
+            "The scene, and its A in step {} ({} rows): a block couples the rows of one pair of bodies with those of another. Pale \
              entries are below 30 % of the largest |a|, the palest below 3 %. Blocks without a common moving body are empty; the other {} are {} % \
-             full, because in some entries the contributions of translation and rotation cancel. With so few bodies, \
-             many blocks have entries: with ten times as many bodies, the share of entries would be about ten times \
-             smaller. {}{}",
+             full, because in some entries the contributions of translation and rotation cancel. {}{}",
             found.step,
             count(found.rows),
             pairs.len(),
