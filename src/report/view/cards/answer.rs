@@ -1,5 +1,4 @@
-//! Which engine for which use: the laws that a use requires, the engines that obey all of them, and
-//! those with the largest deviations.
+//! Which engine for which use: the laws that a use requires, and the engines that obey all of them.
 
 use super::phenomenon::section;
 use super::{ACCURATE, DEFAULTS, OWN};
@@ -52,14 +51,13 @@ pub fn of(record: &Record) -> String {
     )
 }
 
-/// The engines that obey all laws that a use requires, and the largest violation.
+/// The engines that obey all laws that a use requires.
 pub fn uses(record: &Record) -> Table {
     let rows = USES.iter().map(|(what, names)| row(record, what, names)).collect();
     Table::new(
         "Which engine for which use",
-        "The engines that obey all of the laws that matter for a use, and the largest violation of one of them \
-         with default settings.",
-        "use | laws that matter | obeyed as installed by | with accurate settings by | largest violation as installed",
+        "The engines that obey all of the laws that matter for a use.",
+        "use | laws that matter | obeyed as installed by | with accurate settings by",
         rows,
     )
 }
@@ -80,14 +78,11 @@ fn row(record: &Record, what: &str, names: &[&str]) -> Vec<Cell> {
     let names = rests_on.iter().map(|own| words(&own.name)).collect::<Vec<_>>().join(", ");
     let links = rests_on.iter().map(|own| format!("[{}](#{})", words(&own.name), section(own)));
     let markup = links.collect::<Vec<_>>().join(", ");
-    let worst = rests_on.iter().filter_map(|own| farthest(record, own));
-    let worst = worst.max_by(|a, b| a.0.total_cmp(&b.0)).map_or("none".into(), |(_, said)| said);
     vec![
         Cell::text(what),
         Cell { markup, ..Cell::text(names) },
         obeying(DEFAULTS),
         obeying(ACCURATE),
-        Cell::text(worst),
     ]
 }
 
@@ -97,36 +92,6 @@ fn column<'a>(phenomenon: &'a Phenomenon, engine: &str, settings: &str) -> Optio
 
 fn words(name: &str) -> String {
     name.replace('_', " ")
-}
-
-/// The largest violation of a law with default settings, in tolerances, and that in words with its
-/// number and the law's; a run that failed is the largest of all.
-fn farthest(record: &Record, phenomenon: &Phenomenon) -> Option<(f64, String)> {
-    let name = words(&phenomenon.name);
-    let installed = || phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
-    if let Some((own, why)) = installed().find_map(|own| Some((own, own.failed.as_ref()?))) {
-        return Some((
-            f64::INFINITY,
-            format!("{name}: {} fails: {why}", record.title(&own.engine)),
-        ));
-    }
-    let missed =
-        || installed().filter_map(|own| Some((own, own.worst().filter(|own| !own.holds)?)));
-    let most = missed().map(|(_, worst)| worst.miss()).max_by(f64::total_cmp)?;
-    let mut those = missed().filter(|(_, worst)| worst.miss() == most);
-    let (column, worst) = those.next()?;
-    let others = match those.count() {
-        0 => String::new(),
-        count => format!(" (like {count} others)"),
-    };
-    let engine = record.title(&column.engine);
-    let found = found(worst);
-    // What moves at meters per second does not creep.
-    let what = match found.ends_with("\u{a0}m/s") {
-        true => worst.what.replace("creep", "slide"),
-        false => worst.what.clone(),
-    };
-    Some((most, format!("{name}: {engine}{others} {what} {}", found.trim_end_matches(','))))
 }
 
 /// A measured number, and that of the law unless this is 0.

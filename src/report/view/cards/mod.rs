@@ -5,7 +5,7 @@ mod frames;
 mod phenomenon;
 
 use super::{Headline, Outcome, ReportPage, View};
-use crate::number::readable;
+use crate::number::{count, readable};
 use crate::plot::Figure;
 use crate::plot::grades::{Grade, Grades};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -83,7 +83,14 @@ impl View for Plan {
         let Some(record) = findings.first() else { return Headline::default() };
         let figure: Box<dyn Figure> = Box::new(heat(record));
         let table = Some(("cards_uses".into(), answer::uses(record)));
-        Headline { figure: Some(figure), table, ..Headline::of(Some(answer::of(record))) }
+        let runs = || record.phenomena.iter().flat_map(|own| &own.columns);
+        let measured = || runs().flat_map(|column| &column.measured);
+        let agree = measured().filter(|own| !own.is_misjudged()).count();
+        let result = Some([
+            format!("{} of {}", count(agree), count(measured().count())),
+            "verdicts agree with the recorded numbers".into(),
+        ]);
+        Headline { result, figure: Some(figure), table, ..Headline::of(Some(answer::of(record))) }
     }
 
     fn outcome(&self, findings: &[Record]) -> Outcome {
@@ -160,12 +167,16 @@ fn heat(record: &Record) -> Grades {
         id: "cards_matrix".into(),
         title: format!("As installed, the engines obey the law in {held} of {all} tests"),
         caption: format!(
-            "A number is the largest violation of the law in multiples of its tolerance, with k for thousands; ✗: the run \
-             failed; –: the engine or its adapter does not support the scene. Releases: {}.",
+            "The name of a row leads to its law. A number is the largest violation in multiples of the tolerance, with k \
+             for thousands; ✗: the run failed; –: the engine or its adapter does not support the scene. Releases: {}.",
             releases(record)
         ),
         rows: record.phenomena.iter().map(row).collect(),
-        links: record.phenomena.iter().map(|own| phenomenon::section(own).into()).collect(),
+        links: record
+            .phenomena
+            .iter()
+            .map(|own| (phenomenon::section(own).into(), own.question.clone()))
+            .collect(),
         groups: groups
             .iter()
             .map(|(name, ways)| {

@@ -15,9 +15,8 @@ const VISIBLE: f64 = 0.02;
 
 /// The laws that have a section of their own, each with what should hold in its scene and, if the
 /// record's words do not fit a sentence about it, what happens instead.
-const SHOWN: [(&str, &str, &str); 6] = [
+const SHOWN: [(&str, &str, &str); 5] = [
     ("creep", "A cube that friction should hold", "slides at"),
-    ("wall", "A slab that friction should hold at a wall", "slides at"),
     ("lift", "A cube that should slide on the floor", ""),
     ("stopping", "A sliding cube", ""),
     ("mass_ratio", "A cube", ""),
@@ -54,7 +53,6 @@ pub fn show_all(record: &Record, document: &mut ReportPage) {
         return;
     }
     document.open(OTHERS, "The other laws");
-    document.text("Figure 1 has their results; below are their formulas, scenes and measurements.");
     document.fold_rest();
     for phenomenon in others {
         document.text(format!("**{}** {}", phenomenon.question, phenomenon.matters));
