@@ -55,11 +55,8 @@ impl View for Plan {
             document.table("friction_block", block_table(study));
             document.text(
                 "For the block the two box models agree; so do the two cones, except that the associated one \
-                 lifts the block. For a rod on two feet, the two box models give different impulses. The center of the \
-                 rod is above the ground, so friction at the feet shifts load from one foot to the other. The \
-                 frozen box ignores this: compared with the coupled box, its friction is weaker at one foot and stronger at the \
-                 other, where it can exceed even $\\sqrt{2}$ times Coulomb's limit, the maximum of the coupled box. The motion of the rod is the same under both boxes, because the sum of their \
-                 friction is the same. With more corners the polygons approach Coulomb's law.",
+                 lifts the block. For a rod on two feet, the two boxes give the same motion but different impulses: friction \
+                 shifts load from one foot to the other, which the frozen box ignores.",
             );
             document.table("friction_rod", rod_table(study));
             document.text(
@@ -75,19 +72,17 @@ impl View for Plan {
 
     fn headline(&self, findings: &[Finding]) -> Headline {
         let answer = findings.first().map(|study| {
-            let said: Vec<String> =
-                SHOWN.iter().filter_map(|model| bias(study, *model)).collect();
+            let (turned, model) = extreme(|model| aside(study, model));
             format!(
-                "**Boxes and polygons make friction too strong or too weak, and turn it.** A block is pushed in \
-                 directions {}° apart. The strength of friction, compared with Coulomb's limit, and its largest \
-                 error of direction are: {}.",
-                readable(PUSH_ANGLE, 2),
-                said.join("; ")
+                "**Boxes and polygons hold {} and turn friction by up to {turned:.0}° ({model}).** Only the disk obeys \
+                 Coulomb's law.",
+                strength(study)
             )
         });
         let paths = findings.first().map(path_figure);
         let figure = paths.map(|own| Box::new(own) as Box<dyn plot::Figure>);
-        Headline { figure, ..Headline::of(answer) }
+        let table = findings.first().map(|study| ("friction_models".into(), models(study)));
+        Headline { figure, table, ..Headline::of(answer) }
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
@@ -114,39 +109,51 @@ fn checked<'a, T: 'a>(
     all.fold([0, 0], |[good, all], own| [good + usize::from(is_good(own)), all + 1])
 }
 
-/// The minimum and maximum friction of a model, and its largest misalignment.
-fn bias(study: &Finding, model: Model) -> Option<String> {
-    study.grips.iter().find(|grip| grip.model == model)?;
-    let name = short(model);
-    Some(match (held(study, model).as_str(), aside(study, model).as_str()) {
-        ("100\u{a0}%", "0°") => format!("*{name}* exact"),
-        (held, aside) => format!("*{name}* {held}, {aside}"),
-    })
+/// The minimum and maximum friction of each model that is shown, and its largest misalignment.
+fn models(study: &Finding) -> Table {
+    let row = |model: &Model| {
+        let held = held(study, *model).map(|part| Cell::number((100.0 * part).round(), 3));
+        let aside = Cell::number(aside(study, *model).round(), 2);
+        [Cell::text(short(*model))].into_iter().chain(held).chain([aside]).collect()
+    };
+    Table::new(
+        "Friction under each model",
+        format!(
+            "A block is pushed in directions {}° apart. *weakest*, *strongest*: the largest push that does not move it, \
+             relative to Coulomb's limit. *off*: the largest error of the direction of friction.",
+            readable(PUSH_ANGLE, 2)
+        ),
+        "model | #weakest (%) | #strongest (%) | #off (°)",
+        SHOWN.iter().map(row).collect(),
+    )
 }
 
-/// A number of each model that is shown, with the model.
-fn listed(study: &Finding, number: fn(&Finding, Model) -> String) -> String {
-    let of = |model: &Model| format!("{} ({})", number(study, *model), short(*model));
-    SHOWN.iter().map(of).collect::<Vec<_>>().join(", ")
+/// The model that is shown with the largest value, and that value.
+fn extreme(of: impl Fn(Model) -> f64) -> (f64, String) {
+    let all = SHOWN.iter().map(|model| (of(*model), short(*model)));
+    all.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()
+}
+
+/// The least and the largest push that a model holds, with these models.
+fn strength(study: &Finding) -> String {
+    let percent = |part: f64| readable((100.0 * part).round(), 3);
+    let (least, weakest) = extreme(|model| -held(study, model)[0]);
+    let (most, strongest) = extreme(|model| held(study, model)[1]);
+    let (least, most) = (percent(-least), percent(most));
+    format!("{least}\u{a0}% ({weakest}) to {most}\u{a0}% ({strongest}) of Coulomb's limit")
 }
 
 /// The least and the largest push that a model holds, relative to Coulomb's limit.
-fn held(study: &Finding, model: Model) -> String {
+fn held(study: &Finding, model: Model) -> [f64; 2] {
     let grips = study.grips.iter().filter(|grip| grip.model == model).map(|grip| grip.measured);
-    let (least, most) =
-        grips.fold((f64::INFINITY, 0.0), |(lo, hi), grip| (f64::min(lo, grip), f64::max(hi, grip)));
-    let percent = |part: f64| readable((100.0 * part).round(), 3);
-    match (percent(least), percent(most)) {
-        (least, most) if least == most => format!("{least}\u{a0}%"),
-        (least, most) => format!("{least}–{most}\u{a0}%"),
-    }
+    grips.fold([f64::INFINITY, 0.0], |[lo, hi], grip| [f64::min(lo, grip), f64::max(hi, grip)])
 }
 
-/// The largest angle between friction and the direction against the slip.
-fn aside(study: &Finding, model: Model) -> String {
+/// The largest angle between friction and the direction against the slip (degrees).
+fn aside(study: &Finding, model: Model) -> f64 {
     let slides = study.slides.iter().filter(|slide| slide.answer.model == model);
     let angles = slides.filter_map(|slide| slide.answer.contacts.first()?.misalignment);
-    format!("{}°", readable(angles.fold(0.0, f64::max).round(), 2))
+    angles.fold(0.0, f64::max)
 }
 
 /// How far each model stops the block from where Coulomb's law does.
@@ -254,9 +261,12 @@ fn direction_figure(study: &Finding) -> Lines {
     };
     let theory =
         |model: &Model| Series::theory(format!("theory, {}", short(*model)), stairs(*model));
+    let (most, name) = extreme(|model| aside(study, model));
     Lines::new(
         "friction_direction",
-        format!("The direction of friction is wrong by up to {}", listed(study, aside)),
+        format!(
+            "Friction points up to {most:.0}° away from the direction against the slip ({name})"
+        ),
         format!(
             "The push is {} times the largest push that friction can resist, in directions from 0 to 90° \
              from t₁, in steps of 5°. Coulomb's law is the diagonal. With the box model, friction points at 45° to the \
@@ -295,12 +305,9 @@ fn grip_figure(study: &Finding) -> Lines {
     };
     Lines::new(
         "friction_grip",
-        format!(
-            "The largest push without slip, relative to Coulomb's limit: {}",
-            listed(study, held)
-        ),
-        "By Coulomb's law the largest push is 1 N s in every direction. Markers: measured by bisection \
-         (14 steps, to 10⁻⁴ N s).",
+        format!("Friction holds {}", strength(study)),
+        "The largest push without slip; by Coulomb's law it is 1 N s in every direction. Markers: measured by \
+         bisection, to 10⁻⁴ N s.",
         Axis::linear("direction of the push", "degrees from t₁"),
         Axis::linear("push", "N s"),
         SHOWN.iter().map(measured).chain(SHOWN.iter().map(theory)).collect(),

@@ -244,7 +244,7 @@ impl fmt::Display for Cause {
             Cause::Undefined(undefined) => write!(f, "{undefined}"),
             Cause::Problem(error) => write!(f, "{error}"),
             Cause::NoSolution { row, .. } => {
-                write!(f, "no forces satisfy the sliding contact {row:?}: no solution exists")
+                write!(f, "no forces satisfy the sliding contact {row:?}")
             }
             Cause::Unsettled { change } => {
                 write!(
