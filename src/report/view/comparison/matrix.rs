@@ -23,6 +23,16 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
     let row = |&scheme: &Scheme| {
         (scheme.name().to_string(), [grades(closure, scheme), grades(energy, scheme)].concat())
     };
+    let rows: Vec<(String, Vec<Grade>)> = schemes.iter().map(row).collect();
+    let has = |wanted: Grade| rows.iter().any(|(_, cells)| cells.contains(&wanted));
+    let marks = [
+        (
+            Grade::Missed(f64::INFINITY),
+            " ✗: the run ended early, or a body passed through another one.",
+        ),
+        (Grade::Unknown, " –: not judged, because a motor acts."),
+    ];
+    let marks = marks.map(|(grade, words)| if has(grade) { words } else { "" });
     Grades {
         id: "comparison_matrix".into(),
         title: format!(
@@ -33,11 +43,12 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
         caption: format!(
             "A number is the largest error in multiples of its tolerance: {} % of the thinnest body for gaps and joints; \
              1 % of the largest kinetic energy for energy that is gained, or lost other than by friction, impacts and \
-             motors. ✗: the run ended early, or a body passed through another one; –: not judged, because a motor acts.",
-            100.0 * HELD
+             motors.{}",
+            100.0 * HELD,
+            marks.concat()
         ),
         groups: vec![("gaps and joints".into(), names()), ("energy".into(), names())],
-        rows: schemes.iter().map(row).collect(),
+        rows,
         links: Vec::new(),
     }
 }

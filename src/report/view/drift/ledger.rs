@@ -68,8 +68,7 @@ fn figure(id: String, findings: &[&Account]) -> Lines {
         title: title(findings),
         caption: format!(
             "Gains are positive. The pale band is the measured change of kinetic plus potential energy; the line on \
-             it is the sum of the entries, to within {worst} J. For a scheme that does not record the forces, only \
-             the band is shown."
+             it is the sum of the entries, to within {worst} J."
         ),
         x: Axis::linear("time", "s"),
         panels: findings.iter().map(|finding| panel(finding)).collect(),
