@@ -31,11 +31,12 @@ impl View for Plan {
 
     fn show(&self, findings: &[Vec<CrossCheck>], document: &mut ReportPage) {
         let checks = &findings.concat();
-        document.text(
-            "Dantzig's answer is compared with two independent answers of the interior-point solver clarabel: to \
+        document.text(format!(
+            "**{}.** Dantzig's answer is compared with two independent answers of the interior-point solver clarabel: to \
              the *box QP*, the LCP as a minimization over impulses, and to *Gauss's principle*, which determines the \
              same motion as a minimization over velocities. The second never forms $A$, so it also checks the assembly of $A$.",
-        );
+            self.outcome(findings).says
+        ));
         document
             .aside("The two minimizations, and the bound on the error of the motion", DERIVATION);
         document.table("cross_checks", table(checks));

@@ -66,7 +66,7 @@ fn answer(rows: &[&Row]) -> Option<String> {
             "**All {all} numbers agree with their closed forms:** {}.{}",
             kinds(rows),
             closest(rows).map_or(String::new(), |(row, share)| format!(
-                " The largest error, relative to the allowed one, is {share} %: *{}* ({}), {}.",
+                " The largest error, relative to the allowed one, is {share}: *{}* ({}), {}.",
                 literal(title(&row.case)),
                 literal(&row.method),
                 literal(&row.quantity)
@@ -106,10 +106,10 @@ fn kinds(rows: &[&Row]) -> String {
     )
 }
 
-/// The row whose error is the largest part of the allowed one, and that part (%).
+/// The row whose error is the largest part of the allowed one, and that part.
 fn closest<'a>(rows: &[&'a Row]) -> Option<(&'a Row, String)> {
     let row = rows.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
-    Some((row, readable(100.0 * share(row), 2)))
+    Some((row, format!("{}\u{a0}%", readable(share(row), 3))))
 }
 
 /// The largest error over all time steps and the largest allowed one; for a derived order, how far
@@ -153,10 +153,10 @@ fn failed(rows: &[&Row]) -> Table {
 /// A number whose allowed errors are at most this large is exact up to rounding and the solver's
 /// tolerance.
 const ROUNDING: f64 = 1e-7;
-/// The least part of an allowed error that is drawn,
-const LEAST: f64 = 1e-6;
+/// The least part of an allowed error that is drawn (%),
+const LEAST: f64 = 1e-4;
 /// and the least of a case that is shown.
-const SHOWN: f64 = 0.01;
+const SHOWN: f64 = 1.0;
 const EXACT: &str = "exact";
 const BOUNDED: &str = "within a bound";
 
@@ -241,18 +241,19 @@ fn approximate(rows: &[Row]) -> Table {
     )
 }
 
-/// The error of each row as a fraction of the allowed one: for a derived order, the distance of the
+/// The error of each row as a part of the allowed one (%): for a derived order, the distance of the
 /// observed order from it.
 fn share(row: &Row) -> f64 {
-    match &row.criterion {
-        Criterion::Exact { tolerance, .. } => {
-            row.errors().into_iter().fold(0.0, f64::max) / tolerance
+    100.0
+        * match &row.criterion {
+            Criterion::Exact { tolerance, .. } => {
+                row.errors().into_iter().fold(0.0, f64::max) / tolerance
+            }
+            Criterion::Order(_) => {
+                let derived = row.derived_order().unwrap_or(f64::NAN);
+                (row.observed_order() - derived).abs() / ORDER_SLACK
+            }
         }
-        Criterion::Order(_) => {
-            let derived = row.derived_order().unwrap_or(f64::NAN);
-            (row.observed_order() - derived).abs() / ORDER_SLACK
-        }
-    }
 }
 
 /// The rows of each case as dots, the largest with its value.
@@ -261,7 +262,7 @@ fn dots(rows: &[Row]) -> Bars {
         let mut others: Vec<f64> = rows.iter().map(|row| share(row).max(LEAST)).collect();
         others.sort_by(f64::total_cmp);
         let value = others.pop().unwrap_or(f64::NAN);
-        Bar { name: title(&rows[0].case).to_string(), accent: value > 1.0, value, others }
+        Bar { name: title(&rows[0].case).to_string(), accent: value > 100.0, value, others }
     };
     let mut bars: Vec<Bar> = rows.chunk_by(|a, b| a.case == b.case).map(bar).collect();
     let cases = bars.len();
@@ -281,7 +282,7 @@ fn dots(rows: &[Row]) -> Bars {
     let steps = rows.iter().map(|row| row.samples.len()).max().unwrap_or(0);
     let title = match closest(&rows.iter().collect::<Vec<_>>()) {
         Some((row, share)) if passed == rows.len() => format!(
-            "All {passed} errors are within their bounds; the closest, {share} %: {}, {}",
+            "All {passed} errors are within their bounds; the closest, {share}: {}, {}",
             row.quantity,
             self::title(&row.case)
         ),
@@ -292,14 +293,13 @@ fn dots(rows: &[Row]) -> Bars {
         title,
         caption: format!(
             "Each dot is one number. Its position is the error divided by the allowed error or, if theory \
-                  gives an order, the difference between the observed and the derived order, divided by 0.1. \
-                  Numbers left of the line pass. The number at the right is the largest of the case. Dots below \
-                  10⁻⁶ lie at the left edge.{below} Numbers that depend on the time step are computed with {steps} steps, each \
-                  half the one before; more steps give other ratios."
+                  gives an order, the difference between the observed and the derived order, divided by {ORDER_SLACK}. \
+                  The largest of each case has its value. Dots below 10⁻⁴ % lie at the left edge.{below} Numbers that \
+                  depend on the time step are computed with {steps} steps, each half the one before."
         ),
-        x: Axis::log("error / allowed error", ""),
+        x: Axis::log("error / allowed error", "%"),
         bars,
-        limit: Some((1.0, "allowed".into())),
+        limit: Some((100.0, "allowed".into())),
     }
 }
 

@@ -127,8 +127,7 @@ pub(super) fn conical(size: Size) -> Result<Vec<Row>> {
     let pulls = |scene: &crate::scene::Scene| Some(vec![-first(scene)?.solves[0].solution.x[0]]);
     let mut rows = case.rows(Method::Acceleration, known, pulls);
     for (method, order) in [(Method::Midpoint, 2.0), (Method::Rk4, 4.0)] {
-        let known =
-            vec![Known::order(order, "angle swept in t = 2π √(l cos θ/g)", round, "rad", TAU)];
+        let known = vec![Known::order(order, "angle swept in one period", round, "rad", TAU)];
         rows.extend(case.rows(method, known, |scene| {
             let p = after(scene, conical.period())?[0].pose.p;
             Some(vec![TAU + p.y.atan2(p.x)])

@@ -75,7 +75,7 @@ pub(super) fn top(size: Size) -> Result<Vec<Row>> {
     });
     let swept = "\\Omega\\,t";
     for (method, order) in [(Method::Velocity, 1.0), (Method::Midpoint, 2.0), (Method::Rk4, 4.0)] {
-        let what = "angle swept in t = π/(2Ω)";
+        let what = "angle swept in a quarter of a period";
         let known = vec![Known::order(order, what, swept, "rad", FRAC_PI_2)];
         rows.extend(case.rows(method, known, |scene| {
             let p = after(scene, time)?[0].pose.p;

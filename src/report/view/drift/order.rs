@@ -15,7 +15,7 @@ pub(super) fn show(findings: &[&Finding], document: &mut ReportPage) {
          of slope $p$ in the figures. The schemes *velocity* and *acceleration* have no error feedback here ($\\alpha = \\beta = 0$); \
          *split-impulse*, *gauss-seidel* and *xpbd* always correct positions. Schemes with substeps \
          use eight of them. The observed order, from the two shortest steps, must be within {SLACK} of the \
-         derived one. The fitted order is the slope through all points, with its standard error.",
+         derived one.",
     ));
     for finding in findings {
         document.figure(figure(finding));
@@ -74,15 +74,28 @@ fn figure(finding: &Finding) -> Lines {
             what(finding.problem),
             finding.curves.first().map_or(0, |curve| curve.errors.len().saturating_sub(1))
         ),
-        caption: format!(
-            "Pale bands have the slope of the derived order. The label names the methods whose errors \
+        caption: "Pale bands have the slope of the derived order. The label names the methods whose errors \
              coincide, and the order observed between the two shortest steps, unless theory makes no claim. \
-             Methods whose error is a rounding error at every step are listed only in the table.{}",
-            flat(finding)
-        ),
+             Errors that are rounding at every step, and quantities with the same orders as one above, are only in the \
+             table."
+            .into(),
         x: Axis::log("step dt", "s"),
-        panels: quantities(finding).into_iter().map(|quantity| panel(finding, quantity)).collect(),
+        panels: panels(finding),
     }
+}
+
+/// A panel for each quantity whose labels differ from those of the earlier ones.
+fn panels(finding: &Finding) -> Vec<Panel> {
+    let mut panels: Vec<Panel> = Vec::new();
+    for quantity in quantities(finding) {
+        let own = panel(finding, quantity);
+        let labels =
+            |panel: &Panel| panel.series.iter().map(|own| own.end.clone()).collect::<Vec<_>>();
+        if panels.iter().all(|other| labels(other) != labels(&own)) {
+            panels.push(own);
+        }
+    }
+    panels
 }
 
 fn panel(finding: &Finding, quantity: &str) -> Panel {
@@ -105,19 +118,6 @@ fn panel(finding: &Finding, quantity: &str) -> Panel {
     });
     let y = Axis::log(format!("error of the {quantity}"), unit);
     Panel { y, series: series.chain(slopes(&shown)).collect() }
-}
-
-/// Why some errors do not decrease.
-fn flat(finding: &Finding) -> String {
-    let why = |curve: &Curve| match &curve.expected {
-        Expected::Order { order: 0.0, because } => Some(format!(
-            " The {} under *{}* has order 0: {because}.",
-            curve.quantity,
-            short(&curve.method)
-        )),
-        _ => None,
-    };
-    finding.curves.iter().find_map(why).unwrap_or_default()
 }
 
 /// The name of a method without the level of its integrator.
