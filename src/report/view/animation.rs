@@ -102,7 +102,7 @@ fn tiles(record: &Record) -> Vec<Tile> {
         value,
         label: label.into(),
         section: "totals".into(),
-        good: Some(good),
+        good,
     };
     let [accepted, solves] = record.verdicts();
     let answers = tile(

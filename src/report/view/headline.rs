@@ -38,7 +38,6 @@ impl Top {
     /// Adds a section's part; returns its answer, figure and table for the section itself if an
     /// earlier section has given an answer.
     pub fn add(&mut self, headline: Headline, section: &str, good: bool) -> Headline {
-        let good = Some(good);
         let tile =
             |[value, label]: [String; 2]| Tile { value, label, section: section.into(), good };
         self.tiles.extend(headline.result.clone().map(tile));

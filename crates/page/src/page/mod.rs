@@ -172,8 +172,8 @@ pub struct Tile {
     pub label: String,
     /// The id of the section.
     pub section: String,
-    /// Whether it is as it should be; `None` for a mixed result.
-    pub good: Option<bool>,
+    /// Whether it is as it should be.
+    pub good: bool,
 }
 
 /// A small picture with a title, which opens a block.

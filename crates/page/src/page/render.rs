@@ -401,7 +401,7 @@ impl Writer {
 fn tiles(list: &[Tile]) -> String {
     let tile = |tile: &Tile| {
         let Tile { value, label, section, good } = tile;
-        let class = good.map_or("mixed", |good| if good { "good" } else { "bad" });
+        let class = if *good { "good" } else { "bad" };
         format!(
             "<li><a href=\"#{}\"><b class=\"{class}\">{}</b> {}</a></li>\n",
             html(section),

@@ -58,7 +58,7 @@ fn tiles(plan: &Plan, collection: &Collection) -> Vec<Tile> {
         value: format!("{} of {}", count(part), count(all)),
         label: label.into(),
         section: RESULTS.into(),
-        good: Some(part == all),
+        good: part == all,
     };
     let findings = collection.done.iter().filter_map(|(_, record)| record.finding.as_ref());
     let claims: Vec<bool> = findings.flat_map(Finding::claims).collect();
@@ -71,7 +71,7 @@ fn tiles(plan: &Plan, collection: &Collection) -> Vec<Tile> {
         value: count(rejected),
         label: "false claims of solvers, according to the judge".into(),
         section: RESULTS.into(),
-        good: Some(rejected == 0),
+        good: rejected == 0,
     };
     [tile(measured, plan.tasks.len(), "points of the grid measured")]
         .into_iter()

@@ -63,7 +63,7 @@ fn tile(section: &str, good: bool) -> Tile {
         value: "2 of 3".into(),
         label: "a <result>".into(),
         section: section.into(),
-        good: Some(good),
+        good,
     }
 }
 
