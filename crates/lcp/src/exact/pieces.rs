@@ -44,31 +44,34 @@ pub struct Pieces {
     dependent: Vec<usize>,
     /// A row whose w must be zero although its x is fixed.
     level: Option<usize>,
+    /// Rows whose x is fixed and whose w is zero in some corners.
+    kinks: Vec<usize>,
     count: usize,
 }
 
 impl Pieces {
     /// All pieces; `None` if there are more than 65,536.
     pub fn of(lcp: &Lcp) -> Option<Self> {
-        Pieces::at_most(lcp, MAX_PIECES)
+        Pieces::at_most(lcp, MAX_PIECES, None, Vec::new())
     }
 
-    /// All pieces; `None` if there are more than this.
-    pub(super) fn at_most(lcp: &Lcp, most: usize) -> Option<Self> {
+    /// All pieces; `None` if there are more than this. Of the rows whose x is fixed, w must be zero
+    /// in the row `level`, and is zero in further corners in the rows `kinks`.
+    pub(super) fn at_most(
+        lcp: &Lcp,
+        most: usize,
+        level: Option<usize>,
+        kinks: Vec<usize>,
+    ) -> Option<Self> {
         let exact = Exact::new(lcp);
         let choices: Vec<Vec<Side>> = (0..lcp.len()).map(|i| exact.sides(i).to_vec()).collect();
         let count = choices.iter().try_fold(1usize, |n, sides| n.checked_mul(sides.len()))?;
-        let mut pieces = Pieces { exact, choices, dependent: Vec::new(), level: None, count };
+        let mut pieces = Pieces { exact, choices, dependent: Vec::new(), level, kinks, count };
         if count > most {
             return None;
         }
         pieces.dependent = pieces.dependent_rows();
         Some(pieces)
-    }
-
-    /// The same pieces without the solutions in which w of this row, whose x is fixed, is not zero.
-    pub(super) fn with_level(self, row: usize) -> Self {
-        Pieces { level: Some(row), ..self }
     }
 
     /// The number of pieces.
@@ -125,8 +128,8 @@ impl Pieces {
             }
             System::Many { open } => open,
         };
-        let bound: Vec<usize> =
-            bound.into_iter().filter(|&i| self.exact.sides(i).len() > 1).collect();
+        let ends_corner = |i: &usize| self.exact.sides(*i).len() > 1 || self.kinks.contains(i);
+        let bound: Vec<usize> = bound.into_iter().filter(ends_corner).collect();
         let corner = |more: Vec<usize>| match self.system(
             &[&level[..], &more].concat(),
             &places,
@@ -161,8 +164,12 @@ impl Pieces {
         let is_free = |&i: &usize| matches!(exact.bounds[i], Bounds::Box(None, None));
         let free: Vec<usize> = (0..exact.len()).filter(is_free).collect();
         let sides = vec![Side::Free; exact.len()];
-        let moving: Vec<usize> =
-            (0..exact.len()).filter(|&i| self.exact.sides(i) != [Side::Lower]).collect();
+        let has_equation = |i: &usize| {
+            self.exact.sides(*i) != [Side::Lower]
+                || self.level == Some(*i)
+                || self.kinks.contains(i)
+        };
+        let moving: Vec<usize> = (0..exact.len()).filter(has_equation).collect();
         // A rank in modular arithmetic is fast, and never above the true one.
         if exact.independent(&sides, &moving, &free).1.len() == free.len() {
             return Vec::new();

@@ -1,10 +1,11 @@
 //! The set of all solutions of a small problem, exactly.
 //!
 //! The set is a union of polyhedra, its *faces*. It is described by its corners and by its rays,
-//! the directions in which it has no end. Two corners belong to one face if two points between them
-//! are solutions: x_i and w_i are linear along the way, so a w_i that is 0 at two points is 0
-//! everywhere, and an x_i that is at a bound between two points inside is there everywhere. A ray d
-//! belongs to a corner x if x + t d is a solution for all t ≥ 0.
+//! the directions in which it has no end. Two corners belong to one face if the point halfway is a
+//! solution and no w_i has opposite signs at them, except where the bounds of x_i are equal: x_i,
+//! its bounds and w_i are linear along the way, so an x_i that is at a bound halfway is there
+//! everywhere, and a w_i that is 0 halfway is 0 everywhere. A ray d belongs to a corner x if
+//! x + t d is a solution for all t ≥ 0. A set belongs together if each two of it do.
 
 use std::collections::HashSet;
 use std::fmt;
@@ -101,7 +102,7 @@ impl SolutionSet {
     /// If there are too many pieces or too many corners.
     pub fn of(lcp: &Lcp) -> Result<Self, TooMany> {
         let exact = Exact::new(lcp);
-        let corners = points(&pieces(lcp)?, lcp)?;
+        let corners = points(&pieces(lcp, None, Vec::new())?, lcp)?;
         let (cone, rays) = rays(lcp)?;
         let (faces, rays) = with_corners(faces(&exact, &cone, &corners, &rays), rays);
         let entries = |points: &[Point]| points.iter().map(Point::entries).collect();
@@ -114,8 +115,8 @@ impl SolutionSet {
     }
 }
 
-fn pieces(lcp: &Lcp) -> Result<Pieces, TooMany> {
-    Pieces::at_most(lcp, MOST_PIECES).ok_or(TooMany::Pieces)
+fn pieces(lcp: &Lcp, level: Option<usize>, kinks: Vec<usize>) -> Result<Pieces, TooMany> {
+    Pieces::at_most(lcp, MOST_PIECES, level, kinks).ok_or(TooMany::Pieces)
 }
 
 /// The corners, each once.
@@ -132,7 +133,8 @@ fn points(pieces: &Pieces, lcp: &Lcp) -> Result<Vec<Point>, TooMany> {
 
 /// The problem with b = 0 whose finite bounds are 0, and the rays, each scaled to 1 in one of its
 /// rows, which is then free and has w = 0: solutions d of this problem. A friction row has a
-/// direction only together with its normal row.
+/// direction only together with its normal row. A row between two bounds has d = 0, but its w must
+/// keep its sign: rays are also where it is 0.
 fn rays(lcp: &Lcp) -> Result<(Exact, Vec<Point>), TooMany> {
     let zero = |bound: &f64| if bound.is_finite() { 0.0 } else { *bound };
     let (lo, hi): (Vec<f64>, Vec<f64>) =
@@ -142,16 +144,18 @@ fn rays(lcp: &Lcp) -> Result<(Exact, Vec<Point>), TooMany> {
     };
     let directions = bounded(lo.clone(), hi.clone());
     let cone = Exact::new(&directions);
-    if pieces(&directions)?.are_regular() {
+    if pieces(&directions, None, Vec::new())?.are_regular() {
         return Ok((cone, Vec::new())); // 0 is the only solution
     }
+    let is_kink = |&i: &usize| lcp.lo()[i] < lcp.hi()[i] && lo[i] == 0.0 && hi[i] == 0.0;
+    let kinks: Vec<usize> = (0..lcp.len()).filter(is_kink).collect();
     let (mut all, mut known): (Vec<Point>, Vec<Vec<RBig>>) = Default::default();
     for i in (0..lcp.len()).filter(|&i| !lcp.is_coupled(i)) {
         for side in [1.0, -1.0].into_iter().filter(|side| lo[i] <= *side && *side <= hi[i]) {
             let (mut lo, mut hi) = (lo.clone(), hi.clone());
             (lo[i], hi[i]) = (side, side);
             let fixed = bounded(lo, hi);
-            let points = points(&pieces(&fixed)?.with_level(i), &fixed)?;
+            let points = points(&pieces(&fixed, Some(i), kinks.clone())?, &fixed)?;
             for point in points.into_iter().filter(|d| cone.is_solved_by(d)) {
                 let largest =
                     point.entries().iter().map(|d| d.clone().max(-d)).max().unwrap_or(RBig::ONE);
@@ -166,37 +170,38 @@ fn rays(lcp: &Lcp) -> Result<(Exact, Vec<Point>), TooMany> {
     Ok((cone, all))
 }
 
+/// Whether all points between two solutions are solutions.
+fn are_joined(exact: &Exact, x: &Point, y: &Point) -> bool {
+    let halfway = part(&sum(x, y), 2.0);
+    let signs = |i| (exact.scaled_w(i, x), exact.scaled_w(i, y));
+    exact.is_solved_by(&halfway) && keeps_signs(exact, &halfway, &signs)
+}
+
 /// Whether x + t d is a solution for all t ≥ 0: d solves the problem with b = 0 whose finite bounds
-/// are 0, x + d is a solution, and no w_i changes its sign on the way, except that of a row whose
-/// bounds are equal there.
+/// are 0, x + d is a solution, and no w_i changes its sign on the way.
 fn is_ray(exact: &Exact, cone: &Exact, x: &Point, d: &Point) -> bool {
     let beyond = sum(x, d);
-    let keeps_sign = |i: usize| {
-        let (lo, hi) = exact.scaled_bounds(i, &beyond);
-        let (w, change) = (exact.scaled_w(i, x), cone.scaled_w(i, d));
-        let is_against = |w: &Dyadic, change: &Dyadic| *w < Dyadic::ZERO && *change > Dyadic::ZERO;
-        lo == hi || !is_against(&w, &change) && !is_against(&-w, &-change)
-    };
-    cone.is_solved_by(d) && exact.is_solved_by(&beyond) && (0..x.len()).all(keeps_sign)
+    let signs = |i| (exact.scaled_w(i, x), cone.scaled_w(i, d));
+    exact.is_solved_by(&beyond) && keeps_signs(exact, &beyond, &signs)
+}
+
+/// Whether these two numbers of each row do not have different signs, except where its bounds are
+/// equal at this point.
+fn keeps_signs(exact: &Exact, at: &Point, signs: &dyn Fn(usize) -> (Dyadic, Dyadic)) -> bool {
+    let is_against = |v: &Dyadic, w: &Dyadic| *v < Dyadic::ZERO && *w > Dyadic::ZERO;
+    (0..at.len()).all(|i| {
+        let ((lo, hi), (v, w)) = (exact.scaled_bounds(i, at), signs(i));
+        lo == hi || !is_against(&v, &w) && !is_against(&w, &v)
+    })
 }
 
 /// The largest sets of corners and rays that belong together.
 fn faces(exact: &Exact, cone: &Exact, corners: &[Point], rays: &[Point]) -> Vec<Face> {
     let count = corners.len();
     let joined = |i: usize, j: usize| match j.checked_sub(count) {
-        None => {
-            let (x, y) = (&corners[i], &corners[j]);
-            // Three times the point at a third of the way.
-            let nearer = sum(x, &sum(x, y));
-            let is_solved = |sum: Point, parts: f64| exact.is_solved_by(&part(&sum, parts));
-            is_solved(sum(x, y), 2.0) && is_solved(nearer, 3.0)
-        }
+        None => are_joined(exact, &corners[i], &corners[j]),
         Some(ray) if i < count => is_ray(exact, cone, &corners[i], &rays[ray]),
-        // Two rays belong together if some corner has both; the corners decide.
-        Some(ray) => {
-            let both = sum(&rays[i - count], &rays[ray]);
-            corners.iter().any(|x| is_ray(exact, cone, x, &both))
-        }
+        Some(ray) => are_joined(cone, &rays[i - count], &rays[ray]),
     };
     let all = count + rays.len();
     let mut is_joined = vec![vec![true; all]; all];

@@ -213,3 +213,49 @@ fn a_ray_of_a_contact_with_friction_is_found() {
         assert!(!found.is_unique());
     }
 }
+
+/// w_n = n + t, w_t = n − 1 and |t| ≤ n ≤ 4: the solutions (n, −n) from n = 1 to 4, and (0, 0),
+/// where no friction is possible and w_t = −1 is allowed. The point halfway from there to (4, −4)
+/// is on the segment.
+#[test]
+fn a_slip_that_turns_around_does_not_join_solutions() {
+    let a = Matrix::dense(2, &[1.0, 1.0, 1.0, 0.0]);
+    let lcp = Lcp::new(a, vec![0.0, -1.0], vec![0.0, -INF], vec![4.0, INF]).unwrap();
+    let coupling = Coupling::new(vec![None, Some(0)], vec![0.0, 1.0]).unwrap();
+    let found = SolutionSet::of(&lcp.with_coupling(coupling).unwrap()).unwrap();
+    let normal = |face: &Face| face.corners.iter().map(|&k| found.corners[k][0].clone()).collect();
+    let mut faces: Vec<Vec<RBig>> = found.faces.iter().map(normal).collect();
+    faces.iter_mut().for_each(|face| face.sort());
+    faces.sort();
+    assert_eq!(faces, [vec![RBig::ZERO], vec![1.into(), 4.into()]]);
+}
+
+/// The same without the bound 4, and w_t = 1 + n − z for a z ≥ 0 that nothing determines: the
+/// solutions (n, −n, z) with z ≤ 1 + n, and (0, 0, z) for every z. From none of them does the set
+/// go on without end in both directions, (1, −1, 0) and (0, 0, 1).
+#[test]
+fn two_rays_of_one_corner_need_not_belong_together() {
+    let a = Matrix::dense(3, &[1.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0]);
+    let lcp = Lcp::new(a, vec![0.0, 1.0, 0.0], vec![0.0, -INF, 0.0], vec![INF; 3]).unwrap();
+    let coupling = Coupling::new(vec![None, Some(0), None], vec![0.0, 1.0, 0.0]).unwrap();
+    let found = SolutionSet::of(&lcp.with_coupling(coupling).unwrap()).unwrap();
+    let slides = |face: &Face| face.rays.iter().any(|&k| found.rays[k][0] > RBig::ZERO);
+    let rises = |face: &Face| face.rays.iter().any(|&k| found.rays[k][0] == RBig::ZERO);
+    assert_eq!(found.faces.len(), 2);
+    assert!(found.faces.iter().all(|face| slides(face) != rises(face)), "{found:?}");
+}
+
+/// w_t = 2 − n − z, w_c = 4 − t − 2 c + z with 0 ≤ c ≤ 2, w_n = c − 2 and a z ≥ 0 that nothing
+/// determines. From (t, c, n, z) = (1, 2, 1, 1) the solutions go on without end in the direction
+/// (1, 0, 1, 1), along which w_c stays 0 at c = 2.
+#[test]
+fn a_ray_on_which_a_row_between_two_bounds_keeps_w_at_zero_is_found() {
+    let a = [0.0, 0.0, -1.0, -1.0, -1.0, -2.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let (lo, hi) = (vec![-INF, 0.0, 0.0, 0.0], vec![INF, 2.0, INF, INF]);
+    let lcp = Lcp::new(Matrix::dense(4, &a), vec![2.0, 4.0, -2.0, 0.0], lo, hi).unwrap();
+    let coupling =
+        Coupling::new(vec![Some(2), None, None, None], vec![1.0, 0.0, 0.0, 0.0]).unwrap();
+    let found = SolutionSet::of(&lcp.with_coupling(coupling).unwrap()).unwrap();
+    let ray = vec![RBig::ONE, RBig::ZERO, RBig::ONE, RBig::ONE];
+    assert!(found.rays.contains(&ray), "{:?}", found.rays);
+}
