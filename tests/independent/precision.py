@@ -6,7 +6,7 @@
 Each problem has random masses (also coupled ones), rows, biases, compliances and bounds. This program assembles A and b, runs
 projected Gauss-Seidel and computes the velocity with every operation rounded to 24 or 53 bits, in the order that
 docs/precision.md states, and compares the errors of all stages with those that `lcplab precision --solver pgs` prints. The exact
-solution comes from fractions. For `--solver dantzig`, whose order of operations is not specified, it compares the errors of the
+solution comes from fractions. For `--solver dantzig` and `newton`, whose order of operations is not specified, it compares the errors of the
 data alone, with those of the exact solution of the rounded problem, and the prediction. Exit code: 1 if anything differs.
 """
 import copy
@@ -267,6 +267,13 @@ def self_test():
             wrong["stages"][stage][run]["relative"] = 1.01 * true["stages"][stage][run]["relative"] + 1e-12
             assert differences(wrong, own) == [f"{STAGES[stage]} {run} relative"]
     assert differences({**true, "predicted": 1.01 * own["predicted"]}, own) == ["predicted"]
+    own = expected(problem(random.Random(1)), False)  # dantzig and newton
+    true = {"predicted": own["predicted"], "stages": [{"name": "data", **own["data"]}]}
+    assert differences(true, own) == []
+    assert differences({**true, "predicted": 1.01 * own["predicted"]}, own) == ["predicted"]
+    wrong = copy.deepcopy(true)
+    wrong["stages"][0]["alone"]["relative"] = 1.01 * own["data"]["alone"]["relative"] + 1e-12
+    assert differences(wrong, own) == ["data alone relative"]
     assert single(1 + 2.0**-24) == 1 and single(1 + 3 * 2.0**-24) == 1 + 2.0**-22  # ties to even
     print("precision.py: every wrong number was found")
 
@@ -275,7 +282,7 @@ def main(program, number):
     rng, wrong = random.Random(59), 0
     for i in range(number):
         p = problem(rng)
-        for solver in ("pgs", "dantzig"):
+        for solver in ("pgs", "dantzig", "newton"):
             found = differences(printed(program, p, solver), expected(p, solver == "pgs"))
             if found:
                 wrong += 1

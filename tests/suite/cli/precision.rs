@@ -60,7 +60,8 @@ fn what_cannot_be_measured_is_refused_with_its_reason() {
     let skew = r#"{"A": {"dense": [[2, 1], [0, 2]]}, "b": [-1, -1]}"#;
     let boxed = r#"{"A": {"dense": [[2]]}, "b": [-1], "hi": [1]}"#;
     for (problem, solver, message) in [
-        (singular, "dantzig", "problem: A: is singular: the textbook's dantzig needs"),
+        (singular, "dantzig", "problem: A: is singular: the textbook's dantzig and newton need"),
+        (singular, "newton", "problem: A: is singular: the textbook's dantzig and newton need"),
         (skew, "pgs", "problem: A: must be symmetric"),
         (boxed, "interior-point", "has other bounds than 0 and ∞"),
         (cone, "pgs", "model: is coulomb-cone, but errors by precision are about boxes only"),

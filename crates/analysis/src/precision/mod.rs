@@ -62,20 +62,27 @@ pub enum TextbookSolver {
     Pgs,
     /// Dantzig's method; A must be positive definite.
     Dantzig,
+    /// The semismooth Newton method; A must be positive definite.
+    Newton,
     /// An interior-point method, for problems with the bounds 0 and ∞.
     InteriorPoint,
 }
 
 impl TextbookSolver {
     /// All methods.
-    pub const ALL: [TextbookSolver; 3] =
-        [TextbookSolver::Pgs, TextbookSolver::Dantzig, TextbookSolver::InteriorPoint];
+    pub const ALL: [TextbookSolver; 4] = [
+        TextbookSolver::Pgs,
+        TextbookSolver::Dantzig,
+        TextbookSolver::Newton,
+        TextbookSolver::InteriorPoint,
+    ];
 
     /// The name of the method.
     pub fn name(self) -> &'static str {
         match self {
             TextbookSolver::Pgs => "pgs",
             TextbookSolver::Dantzig => "dantzig",
+            TextbookSolver::Newton => "newton",
             TextbookSolver::InteriorPoint => "interior-point",
         }
     }
@@ -257,8 +264,8 @@ impl TextbookSolver {
     fn check(self, lcp: &Lcp, is_definite: bool) -> Result<()> {
         let is_half_line = |i: usize| lcp.lo()[i] == 0.0 && lcp.hi()[i] == f64::INFINITY;
         let reason = match self {
-            TextbookSolver::Dantzig if !is_definite => {
-                "is singular: the textbook's dantzig needs a positive definite A; use pgs"
+            TextbookSolver::Dantzig | TextbookSolver::Newton if !is_definite => {
+                "is singular: the textbook's dantzig and newton need a positive definite A; use pgs"
             }
             TextbookSolver::InteriorPoint if !(0..lcp.len()).all(is_half_line) => {
                 "has other bounds than 0 and ∞, which the textbook's interior-point method needs"

@@ -8,13 +8,14 @@ use std::cell::Cell;
 use lcplab_lcp::number::count;
 use lcplab_lcp::{Gauss, Lcp};
 use lcplab_solver::textbook::{
-    Matrix, Real, Vector, dantzig_with, gauss_seidel, interior_point_with, ldlt, point, solve,
+    Matrix, Real, Vector, dantzig_with, gauss_seidel, interior_point_with, ldlt, newton_with,
+    point, solve,
 };
 
 use super::{Stage, TextbookSolver};
 
-/// Dantzig's method is stopped after this number of linear solves per row: rounding can make it
-/// return to the same rows.
+/// Dantzig's and Newton's methods are stopped after this number of linear solves per row: rounding
+/// can make them return to the same rows.
 const SOLVES_PER_ROW: usize = 20;
 
 /// Steps of the interior-point method: each divides the gap by about ten, down to rounding.
@@ -193,22 +194,22 @@ impl Pipeline {
     fn solve<T: Real, F: Real>(&self, a: &Matrix, b: &Vector) -> Option<Vector> {
         let (a, b) = (a.map(T::nearest), b.map(T::nearest));
         let (lo, hi) = (self.lo.map(T::nearest), self.hi.map(T::nearest));
+        let most_solves = SOLVES_PER_ROW * b.len();
+        let solves = Cell::new(0);
+        let free_point = |a: &Matrix<T>, b: &Vector<T>, free: &[bool]| {
+            solves.set(solves.get() + 1);
+            let x = point(&a.map(convert::<T, F>), &b.map(convert::<T, F>), free)?;
+            let is_finite = x.iter().all(|x| x.double().is_finite());
+            (is_finite && solves.get() <= most_solves).then(|| x.map(convert::<F, T>))
+        };
         let x = match self.solver {
             TextbookSolver::Pgs => gauss_seidel(&a, &b, &lo, &hi, self.sweeps),
             TextbookSolver::InteriorPoint => interior_point_with(&a, &b, INTERIOR_STEPS, |a, r| {
                 let (l, d) = ldlt(&a.map(convert::<T, F>));
                 solve(&l, &d, &r.map(convert::<T, F>)).map(convert::<F, T>)
             }),
-            TextbookSolver::Dantzig => {
-                let solves = Cell::new(0);
-                dantzig_with(&a, &b, &lo, &hi, |a, b, free| {
-                    solves.set(solves.get() + 1);
-                    let x = point(&a.map(convert::<T, F>), &b.map(convert::<T, F>), free)?;
-                    let is_usable = x.iter().all(|x| x.double().is_finite())
-                        && solves.get() <= SOLVES_PER_ROW * b.len();
-                    is_usable.then(|| x.map(convert::<F, T>))
-                })?
-            }
+            TextbookSolver::Dantzig => dantzig_with(&a, &b, &lo, &hi, free_point)?,
+            TextbookSolver::Newton => newton_with(&a, &b, &lo, &hi, most_solves, free_point)?,
         };
         Some(x.map(T::double))
     }

@@ -40,7 +40,7 @@ pub(super) fn from_forces(
     });
     let residuals = free.iter().map(|&i| match solver {
         TextbookSolver::Pgs => a[(i, i)] * half_spacing(x[i]) * x[i].signum() / size(i),
-        TextbookSolver::Dantzig | TextbookSolver::InteriorPoint => {
+        _ => {
             let squares = (0..x.len()).map(|j| (a[(i, j)] * x[j]).powi(2)).sum::<f64>();
             ROUNDING * (squares + b[i].powi(2)).sqrt() / size(i)
         }

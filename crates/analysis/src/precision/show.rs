@@ -52,7 +52,7 @@ impl Precision {
     pub fn text(&self) -> String {
         let sweeps = match self.solver {
             TextbookSolver::Pgs => format!(", {} sweeps", count(self.sweeps)),
-            TextbookSolver::Dantzig | TextbookSolver::InteriorPoint => String::new(),
+            _ => String::new(),
         };
         let predicted =
             self.predicted.map_or("no formula for interior-point methods".into(), |own| {

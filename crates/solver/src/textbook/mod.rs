@@ -12,11 +12,12 @@
 //! | [`ldlt`] | w = 0, A symmetric | `linalg/ldlt.rs` |
 //! | [`murty`] | 0 ≤ x ⟂ w ≥ 0, A a P-matrix | [`Murty`](crate::Murty) |
 //! | [`dantzig`] | lo ≤ x ≤ hi, A symmetric and definite | [`Dantzig`](crate::Dantzig) |
+//! | [`newton`] | the same | [`Newton`](crate::Newton) |
 //! | [`lemke`] | 0 ≤ x ⟂ w ≥ 0, A of many kinds | [`Lemke`](crate::Lemke) |
 //! | [`interior_point`] | 0 ≤ x ⟂ w ≥ 0, A semidefinite | [`InteriorPoint`](crate::InteriorPoint) |
 //!
-//! Gauss-Seidel, L D Lᵀ, Dantzig and the interior-point method run in single precision too; `_with`
-//! lets their linear equations have a precision of their own.
+//! Gauss-Seidel, L D Lᵀ, Dantzig, Newton and the interior-point method run in single precision too;
+//! `_with` lets their linear equations have a precision of their own.
 //!
 //! ```
 //! # #![allow(non_snake_case)]
@@ -32,6 +33,7 @@
 //!     solve(&L, &D, &-&b),
 //!     murty(&A, &b),
 //!     dantzig(&A, &b, &lo, &hi),
+//!     newton(&A, &b, &lo, &hi, 20),
 //!     lemke(&A, &b).expect("no ray"),
 //!     interior_point(&A, &b, 40),
 //! ];
@@ -47,6 +49,7 @@
 //!     Some(x.map(f32::nearest))
 //! });
 //! assert_eq!(x, Some(Vector::from_column_slice(&[1.3333334, 2.3333333])));
+//! assert_eq!(x, newton_with(&A32, &b32, &lo32, &hi32, 20, point));
 //! let by_lu = |A: &Matrix<f32>, r: &Vector<f32>| A.clone().lu().solve(r).expect("A is regular");
 //! let x = interior_point_with(&A32, &b32, 40, by_lu);
 //! assert!((x[0].double() - 4.0 / 3.0).abs() < 1e-6);
@@ -61,6 +64,7 @@ mod jacobi;
 mod ldlt;
 mod lemke;
 mod murty;
+mod newton;
 mod real;
 
 pub use dantzig::{dantzig, dantzig_with};
@@ -70,6 +74,7 @@ pub use jacobi::jacobi;
 pub use ldlt::{ldlt, solve};
 pub use lemke::lemke;
 pub use murty::murty;
+pub use newton::{newton, newton_with};
 pub use real::Real;
 
 /// The source text of a function of this module, for the lessons.

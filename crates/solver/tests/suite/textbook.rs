@@ -98,6 +98,43 @@ fn dantzig_of_the_textbook_finds_the_solvers_x_in_a_box() {
     }
 }
 
+#[test]
+fn newton_of_the_textbook_finds_dantzigs_x_in_a_box() {
+    for Problem { a, b, lo, hi } in problems(true, true) {
+        let x = textbook::newton(&a, &b, &lo, &hi, 20);
+        assert!((x - textbook::dantzig(&a, &b, &lo, &hi)).amax() < 1e-10);
+    }
+}
+
+/// A string of 2 m + 4 points under an even load is pressed against a bar at m²/2: where it is
+/// free, x is the parabola i (2 m − i)/2, and it leaves the bar with half of the largest slope.
+fn string<T: textbook::Real>(m: usize) {
+    let (n, of) = (2 * m + 4, |v: f64| T::nearest(v));
+    let a = textbook::Matrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
+        0 => of(2.0),
+        1 => of(-1.0),
+        _ => of(0.0),
+    });
+    let all = |v: f64| textbook::Vector::repeat(n, of(v));
+    let bar = (m * m) as f64 / 2.0;
+    let x = textbook::newton(&a, &all(-1.0), &all(-INF), &all(bar), 100);
+    for k in 0..n {
+        let i = (k + 1).min(n - k);
+        let known = if i < m { (i * (2 * m - i)) as f64 / 2.0 } else { bar };
+        assert_eq!(x[k] == of(bar), i >= m, "{k}: {}", x[k]);
+        let rounding = T::default_epsilon().double() * (m * m * m) as f64;
+        assert!((x[k].double() - known).abs() <= rounding, "{k}: {} of {known}", x[k]);
+    }
+}
+
+#[test]
+fn newton_of_the_textbook_finds_the_sides_of_a_string_in_both_precisions() {
+    for m in 1..=20 {
+        string::<f64>(m);
+        string::<f32>(m);
+    }
+}
+
 /// Small integers: rows with w = 0 from the start, between their bounds and at them, pinned rows,
 /// ties.
 #[test]
