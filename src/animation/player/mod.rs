@@ -284,6 +284,7 @@ impl Animation {
             color,
             backdrop: backdrop.clone(),
             description: self.description(recording),
+            has_curve: recording.samples.len() > 1,
         };
         self.recordings.iter().zip(colors).map(pane).collect()
     }
@@ -340,7 +341,11 @@ impl Animation {
                 .collect(),
             ..Strip::new(&self.scene, stills[recording].clone())
         };
-        strip.with_forces()
+        // Under each other the frames are too small for the forces on several bodies.
+        let is_moving = |body: &&Body| body.mass != Mass::Fixed;
+        let is_small =
+            self.recordings.len() > FEW && self.scene.bodies.iter().filter(is_moving).count() > FEW;
+        if is_small { strip } else { strip.with_forces() }
     }
 
     fn stage(&self) -> Stage {

@@ -96,6 +96,8 @@ impl Fold {
 pub enum Block {
     /// Paragraphs and lists.
     Text(String),
+    /// Paragraphs and lists, only printed: what a screen shows when the pointer is on a part.
+    Printed(String),
     /// Paragraphs and lists, collapsed under a short title; not printed.
     Aside {
         /// The title.
@@ -271,6 +273,7 @@ impl Picture {
 /// assert_eq!(columns[0].align, Column::words("scene").align);
 /// assert_eq!(columns[1].unit, Column::numbers("drift", "m").unit);
 /// assert!(Column::words("solver").secondary().secondary); // omitted where space is short
+/// assert!(Column::words("size").wide().wide); // omitted on a phone
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Table {
@@ -299,6 +302,8 @@ pub struct Column {
     pub align: Align,
     /// Whether it is omitted where space is short: in print and on a terminal.
     pub secondary: bool,
+    /// Whether it is omitted on a phone.
+    pub wide: bool,
 }
 
 /// The alignment of the cells in a column.
@@ -373,17 +378,28 @@ impl Column {
 
     /// A text column.
     pub fn words(title: impl Into<String>) -> Self {
-        Column { title: title.into(), unit: String::new(), align: Align::Left, secondary: false }
+        Column {
+            title: title.into(),
+            unit: String::new(),
+            align: Align::Left,
+            secondary: false,
+            wide: false,
+        }
     }
 
     /// A column of numbers in a unit; an empty unit for pure numbers.
     pub fn numbers(title: impl Into<String>, unit: impl Into<String>) -> Self {
-        Column { title: title.into(), unit: unit.into(), align: Align::Right, secondary: false }
+        Column { unit: unit.into(), align: Align::Right, ..Column::words(title) }
     }
 
     /// The column, omitted where space is short.
     pub fn secondary(self) -> Self {
         Column { secondary: true, ..self }
+    }
+
+    /// The column, omitted on a phone.
+    pub fn wide(self) -> Self {
+        Column { wide: true, ..self }
     }
 }
 

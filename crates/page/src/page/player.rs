@@ -37,6 +37,8 @@ pub struct Pane {
     pub backdrop: String,
     /// The outcome, in a sentence.
     pub description: String,
+    /// Whether it has more than one instant, and so a curve.
+    pub has_curve: bool,
 }
 
 /// A quantity over time.

@@ -246,6 +246,10 @@ impl Writer {
     fn block(&mut self, place: &str, block: &Block) -> String {
         match block {
             Block::Text(text) => self.checked(place, |markup| markup.blocks(text)),
+            Block::Printed(text) => {
+                let text = self.checked(place, |markup| markup.blocks(text));
+                format!("<div class=\"paper-only\">\n{text}</div>\n")
+            }
             Block::Aside { title, text } => {
                 let text = self.checked(place, |markup| markup.blocks(text));
                 format!(
@@ -416,13 +420,13 @@ impl TableView<'_> {
     /// Whether a phone shows each row as a list: columns of words do not fit its width, nor do many
     /// columns of numbers.
     fn is_stacked(&self) -> bool {
-        let columns = &self.table.columns;
+        let columns = || self.table.columns.iter().filter(|own| !own.wide);
         let is_plain =
             |own: &Column| !own.title.is_empty() && !own.title.contains(['$', '*', '`', '[']);
         let is_words = |own: &Column| own.align == Align::Left;
-        (columns.len() > 2 || self.width() > PHONE)
-            && columns.iter().all(is_plain)
-            && (columns.iter().all(is_words) || self.width() > PHONES * PHONE)
+        (columns().count() > 2 || self.width() > PHONE)
+            && columns().all(is_plain)
+            && (columns().all(is_words) || self.width() > PHONES * PHONE)
     }
 
     /// Whether such a list has its numbers in pairs.
@@ -446,7 +450,7 @@ impl TableView<'_> {
             let words = heading.split(' ').map(width);
             cells.chain(words).fold(0.0, f64::max) + BETWEEN
         };
-        (0..self.table.columns.len()).map(column).sum()
+        (0..self.table.columns.len()).filter(|k| !self.table.columns[*k].wide).map(column).sum()
     }
 
     /// The heading of a column as plain text, with its unit.
@@ -472,8 +476,11 @@ impl TableView<'_> {
             length if length > MIDDLE => "middle",
             _ => "",
         };
-        let paper = if self.table.columns[*k].secondary { "screen-only" } else { "" };
-        let classes = [align, mark, length, paper].into_iter().filter(|class| !class.is_empty());
+        let Column { secondary, wide, .. } = self.table.columns[*k];
+        let paper = if secondary { "screen-only" } else { "" };
+        let phone = if wide { "wide-only" } else { "" };
+        let classes =
+            [align, mark, length, paper, phone].into_iter().filter(|class| !class.is_empty());
         classes.collect::<Vec<_>>().join(" ")
     }
 }

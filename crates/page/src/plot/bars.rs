@@ -29,8 +29,6 @@ const TOP: f64 = 46.0;
 const LABEL: f64 = 16.0;
 /// The space right of the bars for their values in px.
 const NUMBERS: f64 = 82.0;
-/// The line of the limit leaves out the numbers of at most this part of the bars.
-const FEW: usize = 4;
 /// The width for a tick in px.
 const TICK: f64 = 110.0;
 
@@ -130,25 +128,14 @@ impl Figure for Bars {
             let last = first + style::width(&readable(bar.value, 3), TEXT);
             (first, (first - 4.0..last + 4.0).contains(&line))
         };
-        // The line leaves out a few numbers; many stand right of it.
-        let crossed: Vec<usize> =
-            (0..self.bars.len()).filter(|k| number(&self.bars[*k]).1).collect();
-        let is_left_out = crossed.len() * FEW <= self.bars.len();
         let mut description = format!("{}: ", self.x.heading());
         canvas.raw(&points::panel(&frame, &self.x, None));
         if let Some((value, name)) = &self.limit
             && limit.is_some()
         {
-            let mut parts = vec![top];
-            if is_left_out {
-                parts.extend(crossed.iter().flat_map(|&k| [middle(k) - 9.0, middle(k) + 9.0]));
-            }
-            parts.push(bottom);
             canvas.layer("class=\"limit\"", |layer| {
-                parts.chunks(2).try_for_each(|part| {
-                    let ends = [(fine(line), fine(part[0])), (fine(line), fine(part[1]))];
-                    layer.draw(&PathElement::new(ends, stroke(INK, 1.5)))
-                })
+                let ends = [(fine(line), fine(top)), (fine(line), fine(bottom))];
+                layer.draw(&PathElement::new(ends, stroke(INK, 1.5)))
             });
             // On a narrow picture a long name begins at the edge.
             let (x, anchor) = match line - 0.5 * style::width(name, TEXT) < style::EDGE {
@@ -193,7 +180,8 @@ impl Figure for Bars {
             };
             canvas.text(name, anchor, TEXT, INK, &bar.name);
             let beside = match number(bar) {
-                (_, true) if !is_left_out => (line + 6.0, middle + 5.0),
+                // It stands right of the line.
+                (_, true) => (line + 6.0, middle + 5.0),
                 (first, _) => (first, middle + 5.0),
             };
             canvas.text(beside, Anchor::Start, TEXT, INK, &amount);

@@ -180,7 +180,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("box", VERMILION, 0, 1),
     ("polygon_4", OCHRE, 1, 3),
     ("polygon_8", PURPLE, 2, 4),
-    ("disk", BLUE, 0, 0),
+    ("cone", BLUE, 0, 0),
     ("dense", BLACK, 0, 0),
     ("map_of_maps", VERMILION, 0, 1),
     ("linked_list", OCHRE, 1, 2),

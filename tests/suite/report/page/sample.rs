@@ -59,12 +59,7 @@ pub fn page() -> Page {
 }
 
 fn tile(section: &str, good: bool) -> Tile {
-    Tile {
-        value: "2 of 3".into(),
-        label: "a <result>".into(),
-        section: section.into(),
-        good,
-    }
+    Tile { value: "2 of 3".into(), label: "a <result>".into(), section: section.into(), good }
 }
 
 /// The figures whose files lie in the folder `data`.
