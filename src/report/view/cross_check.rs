@@ -62,9 +62,7 @@ impl View for Plan {
     fn headline(&self, findings: &[Vec<CrossCheck>]) -> Headline {
         let apart = findings.iter().flatten().map(|check| check.u_difference).fold(0.0, f64::max);
         let value = format!("{} m/s", significant(apart, 1));
-        let label =
-            "largest velocity difference from clarabel, an interior-point code (rotations: rad/s)"
-                .into();
+        let label = "largest velocity difference from clarabel, an interior-point code".into();
         Headline { result: Some([value, label]), ..Headline::default() }
     }
 

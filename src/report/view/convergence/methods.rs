@@ -69,9 +69,7 @@ fn answer(
     let iterations = first.marks.last().map_or(0, |end| end.iteration);
     let compared = budget(progress).map_or(String::new(), |ten| {
         let left = left(progress).map_or(String::new(), |share| {
-            format!(
-                ", which leave {share} of the weight unsupported, because each passes the load only from contact to contact"
-            )
+            format!(", which leave {share} of the weight unsupported")
         });
         format!(
             ", {} the work of ten sweeps of *pgs* (projected Gauss-Seidel){left}",
@@ -83,14 +81,15 @@ fn answer(
         false => format!("{solved} of {tried}"),
     };
     format!(
-        "**For a stack of {} ({} rows), {} is cheapest:** {}{compared}.{} {all} solvers reach a scaled residual of {} \
-         and pass an independent check.",
+        "**For a stack of {} ({} rows), {} is cheapest:** {}{compared}. {all} solvers reach a scaled residual of {} \
+         and pass an independent check.{}{}",
         in_words(&progress.problem),
         count(progress.rows),
         named(&first.solver),
         iterations_in_words(&first.solver, iterations),
-        reversed(first, choices).unwrap_or_default(),
         tolerance(progress.tolerance),
+        reversed(first, choices).unwrap_or_default(),
+        default(choices).unwrap_or_default(),
     )
 }
 
@@ -106,8 +105,13 @@ fn part(ratio: f64) -> String {
 fn in_words(problem: &str) -> String {
     match problem.split_once(", mass ratio ") {
         Some((boxes, ratio)) => format!("{boxes}, the top one {ratio} times as heavy"),
-        None => problem.into(),
+        None => plain(problem).into(),
     }
+}
+
+/// A problem without the number of its step.
+fn plain(problem: &str) -> &str {
+    problem.split_once(", step ").map_or(problem, |(scene, _)| scene)
 }
 
 /// A solver at its first mention.
@@ -126,14 +130,35 @@ fn reversed(first: &MethodProgress, choices: &[&Progress]) -> Option<String> {
     let [best, own] = [solved.first()?, solved.iter().find(|own| own.solver == first.solver)?];
     (best.solver != own.solver).then(|| {
         format!(
-            " **Larger, sparse problems reverse this:** for {} ({} rows), *{}* costs {} times as much as *{}*.",
-            largest.problem,
+            " **Larger, sparse problems reverse this:** for a {} ({} rows), *{}*, counted with dense matrices, costs \
+             about {} times as much as *{}*.",
+            plain(&largest.problem),
             count(largest.rows),
             own.solver,
-            rough(work(own) / work(best)),
+            readable(work(own) / work(best), 1),
             best.solver
         )
     })
+}
+
+/// The solver that solves every problem at the least multiple of the cheapest one's cost.
+fn default(choices: &[&Progress]) -> Option<String> {
+    let solved: Vec<_> = choices.iter().map(|progress| by_cost(progress)).collect();
+    let multiple = |solver: &str| {
+        let ratios = solved.iter().map(|methods| {
+            let own = methods.iter().find(|own| own.solver == solver)?;
+            Some(work(own) / work(methods[0]))
+        });
+        ratios.collect::<Option<Vec<f64>>>().map(|all| all.into_iter().fold(1.0, f64::max))
+    };
+    let all = solved.first()?.iter().map(|own| own.solver.as_str());
+    let (most, solver) = all
+        .filter_map(|solver| Some((multiple(solver)?, solver)))
+        .min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(format!(
+        " **One default: *{solver}*, at most {} times as expensive as the cheapest in every row of Table 1.**",
+        (10.0 * most).ceil() / 10.0
+    ))
 }
 
 /// The share of the weight that ten sweeps of PGS leave unsupported.
@@ -167,22 +192,19 @@ fn choice(choices: &[&Progress]) -> Table {
             })
             .marked(mark)
         };
-        let mut cells = vec![
-            Cell::text(progress.problem.replace(" = ", "\u{a0}=\u{a0}")),
-            Cell::count(progress.rows),
-        ];
+        let mut cells = vec![Cell::text(plain(&progress.problem)), Cell::count(progress.rows)];
         cells.extend(shown.iter().map(cost));
         cells.push(left(progress).map_or(Cell::text("–"), Cell::text));
         cells
     };
-    let mut columns = vec![Column::words("problem"), Column::numbers("size", "rows")];
-    columns.extend(shown.iter().map(|solver| Column::numbers(*solver, "sweeps")));
-    columns.push(Column::numbers("unsupported", "after 10 sweeps"));
+    let mut columns = vec![Column::words("problem"), Column::numbers("rows", "").wide()];
+    columns.extend(shown.iter().map(|solver| Column::numbers(*solver, "")));
+    columns.push(Column::numbers("unsupported", "after 10 sweeps").wide());
     Table {
         title: "Which solver for which problem".into(),
-        how_to_read: "The cost of each solver in sweeps of *pgs*, of which engines typically take ten; ✓: the cheapest \
-                      of all; –: not within the tolerance after the maximum number of iterations. *mass ratio*: the top \
-                      box to each of the others. *unsupported*: of the weight, after ten sweeps of *pgs*."
+        how_to_read: "The cost of each solver in sweeps of *pgs*, of which engines typically take ten; pivoting methods are \
+                      counted with dense matrices. ✓: the cheapest of all; –: not within the tolerance after the maximum \
+                      number of iterations. *mass ratio*: the top box to each of the others."
             .into(),
         columns,
         rows: choices.iter().map(row).collect(),
@@ -202,8 +224,10 @@ fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
         id: id(&progress.problem, "costs"),
         title: title(progress),
         caption: format!(
-            "Multiplications needed to reach a scaled residual of {} (leading term of the operation count), \
-             starting from x = 0. Ten sweeps of *pgs* per step are a typical budget in engines.{}",
+            "{} ({} rows): multiplications needed to reach a scaled residual of {} (leading term of the operation \
+             count), starting from x = 0. Ten sweeps of *pgs* per step are a typical budget in engines.{}",
+            progress.problem,
+            count(progress.rows),
             tolerance(progress.tolerance),
             full_names(solved.iter().map(|method| method.solver.as_str()))
         ),
@@ -342,9 +366,7 @@ fn finding(progress: &Progress) -> String {
 fn title(progress: &Progress) -> String {
     match by_cost(progress)[..] {
         [first, .., last] => format!(
-            "{} ({} rows): {} is cheapest, {} costs {} times as much",
-            progress.problem,
-            count(progress.rows),
+            "{} is cheapest, {} costs {} times as much",
             first.solver,
             last.solver,
             rough(work(last) / work(first))
