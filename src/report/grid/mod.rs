@@ -57,6 +57,6 @@ pub use folder::{Folder, Machine, Record};
 pub use measure::Finding;
 pub use page::plan_table;
 pub(crate) use page::show_seconds;
-pub use page::{document, show};
+pub use page::{document, show, text};
 pub use plan::{Plan, Task};
 pub use theory::{Predicted, Theory};

@@ -9,7 +9,7 @@ impl View for Plan {
     const TITLE: &'static str = "A grid of settings";
 
     fn show(&self, found: &[PointResult], document: &mut ReportPage) {
-        document.text(self.grid.text.trim());
+        document.text(grid::text(&self.grid, &self.plan, &self.points(found)));
         let id = format!("{}_", section_id(document));
         grid::show(&self.grid, &self.plan, &self.points(found), &id, document);
     }

@@ -7,6 +7,7 @@ use crate::report::grid::file::{Grid, REPEAT};
 use crate::report::grid::measure::{ITERATIONS, Measure};
 use crate::report::grid::plan::plain;
 use crate::solver::Registry;
+use crate::solver::theory::sor_radius;
 
 /// Maximum number of curves that are still readable.
 const MOST_CURVES: usize = 12;
@@ -14,6 +15,10 @@ const MOST_CURVES: usize = 12;
 const WIDE: f64 = 50.0;
 /// as do values whose logarithms are spaced this evenly.
 const EVEN: f64 = 1.1;
+/// A closed form is drawn in this number of parts.
+const FINE: usize = 400;
+/// The least number of positions whose distance is stated.
+const MANY: usize = 10;
 /// A least value inside a curve is a finding if both ends are more than this many times as large.
 const DIP: f64 = 1.03;
 
@@ -52,7 +57,8 @@ pub(super) fn figure(
         false => "closed form",
     };
     let theory = |curve: &Curve| {
-        let points = scaled(curve.predicted(measure));
+        let points = fine(curves, curve, measure).map(|(points, _)| points);
+        let points = scaled(points.unwrap_or_else(|| curve.predicted(measure)));
         let name = format!("theory, {}: {bands}", curve.name);
         points.iter().any(|(_, y)| y.is_finite()).then(|| Series::theory(name, points).labeled(""))
     };
@@ -65,13 +71,19 @@ pub(super) fn figure(
         };
         words.push(theory.into());
         let spots = shown.iter().filter_map(|curve| {
-            let best = curves.optimum(curve)?;
-            let at = (best, lower(&curve.measured(measure), best)?);
-            Some((&curve.name, Series::spot(&curve.name, "ω*", at).labeled(&curve.name)))
+            let (_, best) = fine(curves, curve, measure)?;
+            Some((&curve.name, Series::spot(&curve.name, "ω*", best).labeled(&curve.name)))
         });
         let spots: Vec<_> = spots.collect();
         if !spots.is_empty() {
             words.push("Rings: the best ω, by the closed form.".into());
+            if measure.is_rate() {
+                words.push(
+                    "Near the best ω two eigenvalues coincide, and the factor measured over the sweeps of a run deviates \
+                     from ρ."
+                        .into(),
+                );
+            }
         }
         for (name, spot) in spots {
             // Its label names the curve where it is apart from the others.
@@ -80,6 +92,7 @@ pub(super) fn figure(
             series.push(spot);
         }
     }
+    words.extend(step(shown).map(|step| format!("{} in steps of {step}.", curves.across)));
     if grid.axes.iter().any(|axis| axis.paths == [REPEAT]) {
         words.push("Each point is the median of its repetitions.".into());
     }
@@ -122,11 +135,35 @@ fn units(grid: &Grid) -> Vec<&'static str> {
     if units.is_empty() { vec!["iterations"] } else { units }
 }
 
-/// The lower one of the curve's points next to a position.
-fn lower(points: &[(f64, f64)], x: f64) -> Option<f64> {
-    let finite: Vec<_> = points.iter().filter(|(_, y)| y.is_finite()).collect();
-    let ends = finite.windows(2).find(|ends| (ends[0].0..=ends[1].0).contains(&x))?;
-    Some(ends[0].1.min(ends[1].1))
+/// Young's closed form of a curve at close positions, and its minimum.
+fn fine(
+    curves: &Curves<'_>,
+    curve: &Curve<'_>,
+    measure: &Measure,
+) -> Option<(Vec<(f64, f64)>, (f64, f64))> {
+    let best = curves.optimum(curve)?;
+    let predicted = curve.predicted(measure);
+    let (x, y) = *predicted.iter().find(|(_, y)| y.is_finite())?;
+    // ω* = 2/(1 + √(1 − ρ_J²))
+    let jacobi = (1.0 - (2.0 / best - 1.0).powi(2)).sqrt();
+    let rate = |omega: f64| sor_radius(jacobi, omega);
+    let value = |omega: f64| match measure.is_rate() {
+        true => rate(omega),
+        false => y * rate(x).ln() / rate(omega).ln(),
+    };
+    let (from, to) = (predicted.first()?.0, predicted.last()?.0);
+    let mut places: Vec<f64> =
+        (0..=FINE).map(|k| from + (to - from) * k as f64 / FINE as f64).chain([best]).collect();
+    places.sort_by(f64::total_cmp);
+    Some((places.into_iter().map(|omega| (omega, value(omega))).collect(), (best, value(best))))
+}
+
+/// The distance between positions, if there are many and it is always the same.
+fn step(curves: &[Curve<'_>]) -> Option<String> {
+    let places: Vec<f64> = curves.first()?.places().collect();
+    let step = places.get(1)? - places[0];
+    let is_even = places.windows(2).all(|pair| (pair[1] - pair[0] - step).abs() < 1e-9);
+    (is_even && places.len() >= MANY).then(|| readable(step, 3))
 }
 
 /// The finding: where the measure is least, if every curve has its least value inside the axis;
@@ -216,24 +253,33 @@ fn last_and_first(
             "{after} {middle} % of the {what} is left with {between}, {most} % with {highest}"
         ));
     }
-    let (things, grow) = match *measure == ITERATIONS {
-        true => match units(grid)[..] {
-            [unit] => (unit, "grow"),
-            _ => (unit(highest), "grow"),
-        },
-        false if what.ends_with('s') => (what, "grow"),
-        false => (what, "grows"),
+    let range = match across.strip_prefix("number of ") {
+        Some(things) => format!("from {start} to {end} {things}"),
+        None => format!("from {across} {start} to {end}"),
     };
-    let other = match (measure.is_cost(), readable(*least, 2).as_str()) {
-        (true, _) if *least < 1.05 => format!("{lowest} needs no more"),
-        (false, "1") => format!("that of {lowest} stays the same"),
-        (true, ratio) => format!("{lowest} needs {ratio} times as many"),
-        (false, ratio) => format!("that of {lowest} {ratio} times"),
+    if measure.is_cost() {
+        let counted = |solver: &str| match (*measure == ITERATIONS, &units(grid)[..]) {
+            (true, [unit]) => *unit,
+            (true, _) => unit(solver),
+            (false, _) => what,
+        };
+        let other = match readable(*least, 2).as_str() {
+            _ if *least < 1.05 => "no more".into(),
+            "2" => format!("twice the {}", counted(lowest)),
+            ratio => format!("{ratio} times the {}", counted(lowest)),
+        };
+        return Some(format!(
+            "{range} {highest} needs {} times the {}, {lowest} {other}",
+            readable(*most, 2),
+            counted(highest)
+        ));
+    }
+    let grows = if what.ends_with('s') { "grow" } else { "grows" };
+    let other = match readable(*least, 2).as_str() {
+        "1" => format!("that of {lowest} stays the same"),
+        ratio => format!("that of {lowest} {ratio} times"),
     };
-    Some(format!(
-        "from {across} {start} to {end} the {things} of {highest} {grow} {} times; {other}",
-        readable(*most, 2)
-    ))
+    Some(format!("{range} the {what} of {highest} {grows} {} times; {other}", readable(*most, 2)))
 }
 
 /// What a solver counts: `sweeps`, `steps` or `pivots`.

@@ -10,7 +10,7 @@ use super::collect::{Collection, Point};
 use super::file::{Grid, SUBJECT};
 use super::measure::{Finding, SECONDS};
 use super::plan::{Plan, Task, plain};
-use crate::number::count;
+use crate::number::{count, readable};
 use crate::report::page::{Block, Cell, Column, Fold, Origin, Page, Table, Tile};
 use crate::report::view::ReportPage;
 
@@ -30,12 +30,12 @@ const MOST_OPEN: usize = 12;
 pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> ReportPage {
     let page = Page {
         title: grid.title.clone(),
-        lead: grid.text.trim().to_string(),
+        lead: text(grid, plan, &collection.points()),
         facts: facts(plan, collection),
         ..Page::default()
     };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
-    document.open(RESULTS, "What was measured");
+    document.open(RESULTS, "");
     show(grid, plan, &collection.points(), "", &mut document);
     document.page.opening.push(Block::Tiles(tiles(plan, collection)));
     document.page.sections.iter_mut().for_each(|section| {
@@ -60,11 +60,21 @@ fn tiles(plan: &Plan, collection: &Collection) -> Vec<Tile> {
         section: RESULTS.into(),
         good: part == all,
     };
-    let findings = collection.done.iter().filter_map(|(_, record)| record.finding.as_ref());
-    let claims: Vec<bool> = findings.flat_map(Finding::claims).collect();
+    let findings = || collection.done.iter().filter_map(|(_, record)| record.finding.as_ref());
+    let claims: Vec<bool> = findings().flat_map(Finding::claims).collect();
+    let mut claimed: Vec<_> = findings()
+        .flat_map(|finding| &finding.predicted)
+        .filter_map(|own| Some((own.measure.as_str(), own.slack?)))
+        .collect();
+    claimed.dedup();
+    let label = match claimed[..] {
+        [(measure, slack)] => {
+            format!("{measure}s agree with the closed form to {}", readable(slack, 1))
+        }
+        _ => "numbers agree with the closed form".into(),
+    };
     let held = claims.iter().filter(|held| **held).count();
-    let theory = (!claims.is_empty())
-        .then(|| tile(held, claims.len(), "numbers agree with the closed form"));
+    let theory = (!claims.is_empty()).then(|| tile(held, claims.len(), &label));
     let measured = collection.done.len() - collection.impossible();
     let rejected = collection.rejected();
     let judged = Tile {
@@ -78,6 +88,13 @@ fn tiles(plan: &Plan, collection: &Collection) -> Vec<Tile> {
         .chain(theory)
         .chain([judged])
         .collect()
+}
+
+/// The best positions, if a closed form has one, and the text of the file.
+pub fn text(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> String {
+    let best = Curves::of(grid, plan, points).and_then(|curves| tables::best(&curves));
+    let text = grid.text.trim().to_string();
+    best.map_or(text.clone(), |best| format!("**{best}** {text}"))
 }
 
 /// Adds figures and tables of these points to the current section; the names of their files begin

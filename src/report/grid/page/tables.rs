@@ -45,6 +45,32 @@ pub(super) fn optima(curves: &Curves<'_>) -> Option<Table> {
     })
 }
 
+/// How the position of the minimum depends on the curve, and what it gains.
+pub(super) fn best(curves: &Curves<'_>) -> Option<String> {
+    let least = |curve: &Curve| {
+        curves.optimum(curve)?;
+        let mut points = curve.measured(&ITERATIONS);
+        points.retain(|(_, y)| y.is_finite());
+        let (x, y) = *points.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let gain = points.first().filter(|(x, _)| *x == 1.0).map(|(_, first)| first / y);
+        Some((x, curve.name.clone(), gain))
+    };
+    let all: Vec<_> = curves.curves.iter().filter_map(least).collect();
+    let [(from, first, gain), .., (to, last, most)] = &all[..] else { return None };
+    let across = &curves.across;
+    let verb = if from < to { "rises" } else { "falls" };
+    let gains = match (gain, most) {
+        (Some(gain), Some(most)) => format!(
+            "; {across} = 1 needs {} to {} times as many sweeps",
+            readable(*gain, 2),
+            readable(*most, 2)
+        ),
+        _ => String::new(),
+    };
+    let [from, to] = [from, to].map(|x| readable(*x, 3));
+    Some(format!("The best {across} {verb} from {from} ({first}) to {to} ({last}){gains}."))
+}
+
 /// The exponent of each measure over the last two positions, if the axis is logarithmic; not of a
 /// count alone, whose growth the title of its figure states.
 pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
