@@ -153,5 +153,5 @@ fn the_top_of_a_report_counts_confirmed_answers_and_names_what_was_not_solved() 
     let headline = plan.headline(&[comparison]);
     let [value, label] = headline.result.unwrap();
     assert_eq!(value, "7 of 8");
-    assert!(label.ends_with("; none to 2 problems: dantzig"), "{label}");
+    assert!(label.ends_with("; 2 problems left unanswered: dantzig"), "{label}");
 }

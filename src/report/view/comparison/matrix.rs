@@ -2,6 +2,7 @@
 
 use crate::plot::grades::{Grade, Grades};
 use crate::report::study::comparison::{Comparison, Energy, HELD, Run};
+use crate::report::view::attempt::listed;
 use crate::scene::Scheme;
 
 /// Errors relative to their tolerance, of gaps and joints and of the energy, in the scenes that
@@ -33,6 +34,15 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
         (Grade::Unknown, " –: not judged, because a motor acts."),
     ];
     let marks = marks.map(|(grade, words)| if has(grade) { words } else { "" });
+    let others = findings.iter().filter(|own| !own.starts_within_tolerance());
+    let others: Vec<String> = others.map(|own| own.scene.replace('_', " ")).collect();
+    let others = match others.is_empty() {
+        true => String::new(),
+        false => format!(
+            " Not shown, because gaps are outside the tolerance at the start: {}.",
+            listed(&others)
+        ),
+    };
     Grades {
         id: "comparison_matrix".into(),
         title: format!(
@@ -43,7 +53,7 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
         caption: format!(
             "A number is the largest error in multiples of its tolerance: {} % of the thinnest body for gaps and joints; \
              1 % of the largest kinetic energy for energy that is gained, or lost other than by friction, impacts and \
-             motors.{}",
+             motors.{}{others}",
             100.0 * HELD,
             marks.concat()
         ),

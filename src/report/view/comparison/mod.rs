@@ -69,7 +69,9 @@ impl View for Plan {
         let given_up = sum(|run| run.tally.solves) - claimed;
         let without = match given_up {
             0 => String::new(),
-            _ => format!("; none to {} problems: {}", count(given_up), self.given_up(findings)),
+            _ => {
+                format!("; {} problems left unanswered{}", count(given_up), self.given_up(findings))
+            }
         };
         let result = Some([
             format!("{} of {}", count(confirmed), count(claimed)),
@@ -156,7 +158,7 @@ impl Plan {
             let reason = run.tally.unsolved.clone().unwrap_or_default();
             let reason = match run.tally.iterations % run.tally.solves {
                 0 if reason == Status::IterationLimit.to_string() => {
-                    format!("stopped after {} sweeps", run.tally.iterations / run.tally.solves)
+                    format!("which stops after {} sweeps", run.tally.iterations / run.tally.solves)
                 }
                 _ => reason,
             };
@@ -165,8 +167,8 @@ impl Plan {
             }
         }
         match &ways[..] {
-            [(way, reason)] if !reason.is_empty() => format!("{way} ({reason})"),
-            _ => listed(&ways.iter().map(|(way, _)| *way).collect::<Vec<_>>()),
+            [(way, reason)] if !reason.is_empty() => format!(", all by {way}, {reason}"),
+            _ => format!(": {}", ways.iter().map(|(way, _)| *way).collect::<Vec<_>>().join(", ")),
         }
     }
 }
