@@ -29,7 +29,7 @@ use crate::lcp::friction::Model;
 use crate::scene::Scene;
 
 /// The duration of a step (s).
-const DT: f64 = 0.005;
+pub const DT: f64 = 0.005;
 /// The step after which the gap is measured, while the block still slides.
 const FLOATING: usize = 20;
 /// The interval, in steps, between recorded positions.

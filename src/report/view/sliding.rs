@@ -5,7 +5,7 @@ use crate::number::readable;
 use crate::plot::{self, Axis, Lines, Series};
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::friction::{Answer, Model};
-use crate::report::study::slider::Path;
+use crate::report::study::slider::{DT, Path};
 use crate::report::study::sliding::{Figure, Finding, PUSH_ANGLE, Plan, SHOWN, Slide};
 
 /// The allowed difference between measured and expected numbers (relative, degrees, N s, m/s).
@@ -27,15 +27,15 @@ impl View for Plan {
                 "Coulomb",
             );
             document.text(
-                "The first condition is a disk in the plane of the two tangents $t_1$, $t_2$. Its boundary is a circle, \
-                 which linear constraints only approximate. Solvers use one of these sets:\n\n\
+                "The first condition is the friction cone; in the plane of the two tangents $t_1$, $t_2$ it is bounded by a \
+                 circle, which linear constraints only approximate. Solvers use one of these sets:\n\n\
                  - **Frozen box**: each tangent has its own bounds, $\\pm\\mu$ times a known normal impulse. In a single problem it comes from a solve *without* friction; in a simulation, from the previous step (0 in the first step of a contact). The set is a square of fixed size.\n\
                  - **Coupled box**: the same square, with the current $x_n$. The scenes of this report use it.\n\
                  - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP in which one unknown for each corner and one for the sliding speed replace the two tangents, solved by Lemke's method.\n\
-                 - **Cone**: the disk itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
+                 - **Cone**: the circle itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
                  A block of 1 kg lies on the floor and is pushed along it. It is pressed down so that \
                  $\\mu x_n = 1$ N s. $A$ is the identity: no impulse changes the $w$ of another row. The friction impulse \
-                 is therefore the point of the model's square, polygon or disk that is nearest to the impulse that \
+                 is therefore the point of the model's box, polygon or cone that is nearest to the impulse that \
                  would hold the block, the opposite of the push. This point follows from geometry alone: the lines below show the geometric construction, \
                  the markers the answers of the solvers.",
             );
@@ -47,7 +47,7 @@ impl View for Plan {
             );
             document.figure(grip_figure(study));
             document.text(
-                "The extent of the square or polygon in a direction is the largest push that does not move the \
+                "The extent of the box or polygon in a direction is the largest push that does not move the \
                  block. It is too large toward the corners of the box, by $\\sqrt{2} - 1$ = 41 %, and too \
                  small across the edges of a polygon, by $1 - \\cos(\\pi/k)$: 29 %, 8 % and 2 % for $k$ = 4, \
                  8, 16.",
@@ -74,7 +74,7 @@ impl View for Plan {
         let answer = findings.first().map(|study| {
             let (turned, model) = extreme(|model| aside(study, model));
             format!(
-                "**Boxes and polygons hold {} and turn friction by up to {turned:.0}° ({model}).** Only the disk obeys \
+                "**Boxes and polygons hold {} and turn friction by up to {turned:.0}° ({model}).** Only the cone obeys \
                  Coulomb's law.",
                 strength(study)
             )
@@ -174,7 +174,7 @@ fn path_title(study: &Finding) -> String {
     let [first, others @ ..] = &far[..] else { return "Paths of the block".into() };
     let first = first.replacen(" by", " is off by", 1);
     let all = std::iter::once(&first).chain(others).cloned().collect::<Vec<_>>().join(", ");
-    format!("Only the disk stops where Coulomb's law says: {all}")
+    format!("Only the cone stops where Coulomb's law says: {all}")
 }
 
 fn path_figure(study: &Finding) -> Lines {
@@ -189,11 +189,23 @@ fn path_figure(study: &Finding) -> Lines {
     Lines::new(
         "friction_paths",
         path_title(study),
-        "A marker every 0.02 s; the last one is where the block stops. The line is the path by \
-                  Coulomb's law, which has no preferred direction.",
+        format!(
+            "{}A marker every 0.02 s; the last one is where the block stops. The line is the path by Coulomb's law, \
+             which has no preferred direction.",
+            straight.map_or(String::new(), start)
+        ),
         Axis::linear("position along t₁", "m"),
         Axis::to_scale("position along t₂", "m"),
         SHOWN.iter().map(path).chain([theory]).collect(),
+    )
+}
+
+/// The velocity at the start, from the distance of the first step and the straight path.
+fn start(straight: &Path) -> String {
+    let angle = straight.expected[1].atan2(straight.expected[0]).to_degrees();
+    format!(
+        "The block starts with {} m/s at {angle:.0}° to t₁. ",
+        readable(straight.travel / DT, 2)
     )
 }
 
@@ -239,7 +251,7 @@ fn path_cells(path: &Path) -> Vec<Cell> {
 fn short(model: Model) -> String {
     match model {
         Model::FrozenBox | Model::CoupledBox => "box".into(),
-        Model::CoulombCone => "disk".into(),
+        Model::CoulombCone => "cone".into(),
         other => other.to_string(),
     }
 }
