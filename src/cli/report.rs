@@ -213,15 +213,12 @@ impl Report {
         Ok((stopped.map_or(outcome, Outcome::Stopped), page))
     }
 
-    /// The command that reproduces this page, if run from the same folder.
+    /// The command that reproduces this page in the default folder.
     fn command(&self) -> String {
         let mut words = vec!["lcplab".to_string(), "report".into()];
         words.extend(self.report.as_deref().map(shell_word));
         if let Some(id) = &self.section {
             words.extend(["--section".into(), shell_word(id)]);
-        }
-        if let Some(folder) = self.folder() {
-            words.extend(["--out".into(), shell_word(&folder.display().to_string())]);
         }
         if let Some(names) = &self.engine {
             words.extend(["--engine".into(), shell_word(names)]);

@@ -42,7 +42,7 @@ use serde_json::Value;
 
 use super::experiment::{Experiment, Fold, SHIPPED};
 use super::page::{self, Block, Cell, Mark, Origin, Page, Picture, Section, Table};
-use super::results::{Part, Results, Task};
+use super::results::{Machine, Part, Results, Task};
 use super::study::Study;
 use crate::error::Result;
 use crate::live::linked;
@@ -240,13 +240,14 @@ fn facts(results: &Results) -> Vec<(String, String)> {
         ("lcplab".into(), results.version.clone()),
         ("libraries".into(), results.libraries.join(", ")),
         ("platform".into(), results.machine.platform.clone()),
-        (
-            "wall time".into(),
-            format!("{:.1} s, {} threads", results.machine.seconds, results.machine.threads),
-        ),
-        ("reproduce".into(), command(results)),
     ];
-    facts.into_iter().chain(stopped).collect()
+    // Recorded results take no time.
+    let time = (results.machine.seconds >= 1.0).then(|| {
+        let Machine { seconds, threads, .. } = results.machine;
+        ("wall time".into(), format!("{seconds:.1} s, {threads} threads"))
+    });
+    let reproduce = ("reproduce".into(), command(results));
+    facts.into_iter().chain(time).chain([reproduce]).chain(stopped).collect()
 }
 
 impl ReportPage {

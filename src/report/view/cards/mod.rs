@@ -8,7 +8,7 @@ use super::{Headline, Outcome, ReportPage, View};
 use crate::number::{count, readable};
 use crate::plot::Figure;
 use crate::plot::grades::{Grade, Grades};
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::page::{Block, Cell, Column, Mark, Table};
 use crate::report::study::cards::{self, Engine, Phenomenon, Plan, Record};
 
 /// The two configurations in which external engines are run.
@@ -64,6 +64,10 @@ impl View for Plan {
                  In the figures below the pale line is the law; the others are the engines that visibly break it as \
                  installed, each with the time step of its settings.",
             );
+            let asked = record.phenomena.iter();
+            let asked =
+                asked.map(|own| format!("**{}**: {}", own.name.replace('_', " "), own.question));
+            document.add(Block::Printed(asked.collect::<Vec<_>>().join(" ")));
             document.fold_rest();
             for (name, id, words) in [
                 (DEFAULTS, "installed", "As installed"),

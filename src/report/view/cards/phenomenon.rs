@@ -76,7 +76,15 @@ fn details(record: &Record, phenomenon: &Phenomenon, document: &mut ReportPage) 
 fn figure(record: &Record, phenomenon: &Phenomenon) -> Option<Lines> {
     let Phenomenon { x, y, allowed, .. } = phenomenon;
     let allowed = allowed.split_once(". ").map_or(allowed.as_str(), |(first, _)| first);
-    let points = |y: &[f64]| x.values.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>();
+    // In the unit of the title.
+    let mut measured = phenomenon.columns.iter().flat_map(|own| &own.measured);
+    let (unit, scale) = match y.unit == "m" && measured.any(|own| own.unit == "mm") {
+        true => ("mm", 1e3),
+        false => (y.unit.as_str(), 1.0),
+    };
+    let points = |y: &[f64]| -> Vec<(f64, f64)> {
+        x.values.iter().copied().zip(y.iter().map(|y| scale * y)).collect()
+    };
     let installed = phenomenon.columns.iter().filter(|own| own.settings == DEFAULTS);
     let breaks = installed.filter(|own| !own.holds() && is_apart(&own.y, &y.law));
     let breaks = breaks.map(|own| {
@@ -85,7 +93,7 @@ fn figure(record: &Record, phenomenon: &Phenomenon) -> Option<Lines> {
     });
     let law = Series::theory("law", points(&y.law)).labeled("law");
     let series: Vec<Series> = std::iter::once(law).chain(breaks).collect();
-    let y = Axis::fitting(capitalized(&y.name), &y.unit, series.iter().map(Series::size));
+    let y = Axis::fitting(capitalized(&y.name), unit, series.iter().map(Series::size));
     let figure = Lines {
         id: format!("cards_{}", phenomenon.name),
         title: title(record, phenomenon),
