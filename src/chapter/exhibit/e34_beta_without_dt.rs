@@ -37,8 +37,8 @@ pub(super) fn example() -> Result<Finding> {
         vec![
             Series::measured("printed", over_time(&printed[..61])),
             Series::measured("corrected", over_time(&corrected[..61])),
-            Series::theory("1 − β", over_time(&powers(0.9))),
-            Series::theory("1 − β dt", over_time(&powers(1.0 - 0.1 * DT))),
+            Series::theory("theory, corrected", over_time(&powers(0.9))),
+            Series::theory("theory, printed", over_time(&powers(1.0 - 0.1 * DT))),
         ],
     );
     Ok(Finding::new(
