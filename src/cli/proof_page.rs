@@ -5,6 +5,7 @@ use lcplab::lcp::file::Problem;
 use lcplab::lcp::{Lcp, Question};
 use lcplab::number::readable;
 use lcplab::page::{self, Block, Cell, Page, Section, Table};
+use lcplab::plot::{Axis, Lines, Series};
 use lcplab::proof::{Claim, Entry, Kind, Proof, Reason, Tree, Vector};
 
 /// Maximum number of rows of a table; the proof file has all of them.
@@ -29,10 +30,10 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
         blocks,
         ..Section::default()
     };
-    let mut sections = vec![section("proof", "The proof", vec![claim])];
+    let mut sections = vec![section("proof", "Check the proof", vec![claim])];
     let numbers = numbers(problem, &proof.claim);
     if !numbers.is_empty() {
-        sections.push(section("numbers", "What the proof consists of", numbers));
+        sections.insert(0, section("numbers", "What the proof consists of", numbers));
     }
     // Of several solutions, nothing stronger can be true.
     let is_strongest = matches!(proof.claim, Claim::NotUnique { .. });
@@ -45,13 +46,18 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
             reasons,
         ));
     }
-    let rows = problem.lcp.len();
+    let (rows, sentence) = (problem.lcp.len(), proof.sentence());
+    let meaning = match &proof.claim {
+        Claim::NotUnique { x, y } if agree_in_w(problem, x, y) && unit(problem).is_some() => {
+            ": the load can be shared in more than one way, and the bodies move alike"
+        }
+        _ => "",
+    };
     Page {
         title: format!("A proof about {name}"),
         lead: format!(
-            "**Proved: {}.** This is the strongest statement that lcplab proves about this complementarity \
-             problem of {rows} rows.",
-            proof.sentence()
+            "**Proved: {sentence}{meaning}.** This is the strongest statement that lcplab proves about this \
+             complementarity problem of {rows} rows.",
         ),
         sections,
         ..Page::default()
@@ -78,15 +84,20 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
             &[x],
             "All principal minors of A are positive, so the problem has exactly one solution for every b.",
         ),
-        Claim::NotUnique { x, y } => solutions(
-            &[x, y],
-            &format!(
-                "Both x and y satisfy the conditions of every row in exact arithmetic, and they differ {}.{} \
-                 Uniqueness cannot be proved, because two solutions exist.",
-                differing(&problem.lcp, x, y),
-                in_w(problem, x, y)
-            ),
-        ),
+        Claim::NotUnique { x, y } => {
+            let same = match agree_in_w(problem, x, y) {
+                true => " w is the same in both, up to rounding.",
+                false => "",
+            };
+            let why = format!(
+                "Both x and y satisfy the conditions of every row in exact arithmetic.{same}"
+            );
+            let mut blocks = solutions(&[x, y], &why);
+            if !seen(&values(&problem.lcp, x), &values(&problem.lcp, y)).is_empty() {
+                blocks.insert(1, picture(problem, [x, y]));
+            }
+            blocks
+        }
         Claim::NoSolution { tree: Tree::Leaf(d) } => vec![
             Block::Text(
                 "Multiply each row by its d and add: the sum Σ d w is negative for every x within the bounds. \
@@ -125,33 +136,65 @@ fn seen(x: &[RBig], y: &[RBig]) -> Vec<usize> {
     (0..x.len()).filter(|&i| size(&(&x[i] - &y[i])) > AGREES * largest).collect()
 }
 
-/// How two solutions compare in w, which a motion decides.
-fn in_w(problem: &Problem, x: &Vector, y: &Vector) -> &'static str {
+/// The sizes of entries of x and of w that are not rounding.
+fn sizes(lcp: &Lcp, points: &[Vec<RBig>]) -> [f64; 2] {
+    let of_x = points.iter().flatten().map(|x| x.to_f64().value().abs()).fold(0.0, f64::max);
+    [of_x, lcp.b().iter().fold(0.0, |most: f64, b| most.max(b.abs()))]
+}
+
+/// Whether two solutions have the same w, up to rounding: a motion decides it.
+fn agree_in_w(problem: &Problem, x: &Vector, y: &Vector) -> bool {
     let lcp = &problem.lcp;
-    let (x, y) = (values(lcp, x), values(lcp, y));
-    let both = (0..x.len()).map(|i| [&x, &y].map(|point| w(lcp, point, i).to_f64().value()));
-    let both: Vec<[f64; 2]> = both.collect();
-    let largest = both.iter().flatten().fold(0.0_f64, |largest, w| largest.max(w.abs()));
-    let agree = both.iter().all(|[at_x, at_y]| (at_x - at_y).abs() <= AGREES * largest);
-    match (agree, unit(problem)) {
-        (false, _) => "",
-        (true, None) => " w is the same in both, up to rounding.",
-        (true, Some(_)) => {
-            " w is the same in both, up to rounding: the bodies move alike, and only the loads are shared differently."
-        }
+    let points = [values(lcp, x), values(lcp, y)];
+    let [_, size] = sizes(lcp, &points);
+    let apart = |i| (w(lcp, &points[0], i) - w(lcp, &points[1], i)).to_f64().value().abs();
+    (0..lcp.len()).all(|i| apart(i) <= AGREES * size)
+}
+
+/// The figure of two solutions and the friction limits, in the rows in which they differ.
+fn picture(problem: &Problem, points: [&Vector; 2]) -> Block {
+    let lcp = &problem.lcp;
+    let [x, y] = points.map(|point| values(lcp, point));
+    let rows = seen(&x, &y);
+    let at = |values: &[RBig], i: usize| (i as f64, values[i].to_f64().value());
+    let dots = |name: &str, values: &[RBig]| {
+        Series::points(name, rows.iter().map(|&i| at(values, i)).collect())
+    };
+    let limit = |&i: &usize| Some((i as f64, limit(lcp, &x, i)?.to_f64().value()));
+    let limits = rows.iter().filter_map(limit).flat_map(|(i, limit)| [(i, -limit), (i, limit)]);
+    let limits = Series::points("friction limit", limits.collect());
+    let mut series = vec![dots("solution x", &x), dots("solution y", &y)];
+    let mut caption = "Only the rows in which they differ.";
+    if !limits.points.is_empty() {
+        series.insert(0, limits);
+        caption = "Only the rows in which they differ. The limit of a friction row is ±μ times the normal entry of x.";
     }
+    let unit = unit(problem).unwrap_or_default();
+    let rows = differing(lcp, points[0], points[1]);
+    let title = format!("The two solutions differ {rows}");
+    let [across, up] = [Axis::linear("row", ""), Axis::linear("value", unit)];
+    let figure = Lines::new("solutions", title, caption, across, up, series);
+    Block::Figure(page::Picture { files: Vec::new(), ..page::Picture::of(&figure, "") })
+}
+
+/// The largest magnitude that friction allows in row i, if it is a friction row.
+fn limit(lcp: &Lcp, x: &[RBig], i: usize) -> Option<RBig> {
+    let coupling = lcp.coupling()?;
+    Some(exact(coupling.mu(i)) * &x[coupling.index(i)?])
 }
 
 fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
     let lcp = &problem.lcp;
+    let is_same_w = matches!(points, [x, y] if agree_in_w(problem, x, y));
     let points: Vec<Vec<RBig>> = points.iter().map(|point| values(lcp, point)).collect();
-    let names = ["x", "y"];
+    let [size, size_of_w] = sizes(lcp, &points);
     let unit = unit(problem);
     let in_unit = |unit: Option<&str>| unit.map_or(String::new(), |unit| format!(" ({unit})"));
     let [of_x, of_w] = [in_unit(unit), in_unit(unit.and_then(unit_of_w))];
     let mut headings = "row".to_string();
-    for name in &names[..points.len()] {
-        headings += &format!(" | #{name}{of_x} | #w at {name}{of_w}");
+    for name in &["x", "y"][..points.len()] {
+        headings += &format!(" | #{name}{of_x}");
+        headings += &if is_same_w { String::new() } else { format!(" | #w at {name}{of_w}") };
     }
     // Of two solutions, only the rows that differ are compared, if that can be seen.
     let shown: Vec<usize> = match &points[..] {
@@ -160,8 +203,12 @@ fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
     };
     let shown = if shown.is_empty() { (0..lcp.len()).collect() } else { shown };
     let rows = shown.iter().take(SHOWN).map(|&i| {
-        let of = |x: &Vec<RBig>| [fraction(&x[i]), fraction(&w(lcp, x, i))].map(Cell::text);
-        [vec![Cell::text(label(problem, i))], points.iter().flat_map(of).collect()].concat()
+        let of = |x: &Vec<RBig>| {
+            let w = (!is_same_w).then(|| decimal(&w(lcp, x, i), size_of_w));
+            [Some(decimal(&x[i], size)), w].into_iter().flatten().map(Cell::text)
+        };
+        let label = Cell::text(label(problem, i));
+        [label].into_iter().chain(points.iter().flat_map(of)).collect()
     });
     let title = match points.len() {
         1 => "The solution",
@@ -201,8 +248,8 @@ fn unit_of_w(x: &str) -> Option<&'static str> {
 }
 
 fn more(rows: usize) -> String {
-    let rounded = "Long fractions are rounded here, not in the proof. Numbers such as 10⁻¹⁷ are exact: they come from \
-                   the rounded A and b of the file.";
+    let rounded = "Long fractions are rounded here, not in the proof. ≈ 0 is a number below 10⁻¹² of the largest one: \
+                   A and b in the file are rounded, so the exact value is not 0.";
     match rows.saturating_sub(SHOWN) {
         0 => rounded.into(),
         more => format!("{rounded} The proof file contains {more} more rows."),
@@ -266,6 +313,12 @@ fn w(lcp: &Lcp, x: &[RBig], i: usize) -> RBig {
 
 fn exact(value: f64) -> RBig {
     RBig::try_from(value).unwrap_or_default()
+}
+
+/// The number, or that it is rounding for numbers of this size.
+fn decimal(value: &RBig, size: f64) -> String {
+    let is_rounding = (0.0..=AGREES * size).contains(&value.to_f64().value().abs());
+    if is_rounding && *value != RBig::ZERO { "≈ 0".into() } else { fraction(value) }
 }
 
 fn fraction(value: &RBig) -> String {
