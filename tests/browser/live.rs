@@ -207,7 +207,7 @@ fn a_rod_that_no_force_holds_is_stopped_in_its_first_step() {
 #[test]
 fn a_push_is_answered_by_the_corner_of_the_square_and_the_diamond_and_by_a_point_of_the_disc() {
     // 3 N s at 30 degrees against μ x_n = 1: (1, 1), (1, 0), (cos 30°, sin 30°).
-    let script = "set('#size', 2.95); set('#size', 3);
+    let script = "set('#press', 2); set('#size', 2.95); set('#size', 3);
         const answer = JSON.parse(asked.filter(([question]) => question.includes('friction')).at(-1)[1]);
         return answer.models.slice(0, 3).map(({ x }) => x.slice(1));";
     let found = page("friction").seen(1280, &format!("{READY}{script}"));

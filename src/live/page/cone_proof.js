@@ -92,7 +92,7 @@ function drawClose() {
   if (round >= 500) corners.push(point(edge - 2000, 900), point(edge - 2000, -900));
   const points = corners.map((p) => p.map((v) => clamp(v, -1e5, 1e5).toFixed(1)).join(",")).join(" ");
   let picture = round > 0 ? svg("polygon", { points, class: "allowed" }) + svg("polygon", { points, class: "figure box" }) : "";
-  picture += drawBoxes(found.boxes, to, scale) + svg("circle", { cx: 210, cy: 210, r: 4, class: "dot" }) + svg("text", { x: 217, y: 205 }, "x");
+  picture += drawBoxes(found.boxes, to, scale) + svg("circle", { cx: 210, cy: 210, r: 4, class: "dot" }) + svg("text", { x: 202, y: 224, "text-anchor": "end" }, "x");
   const [sx, sy] = to(found.solution.slice(1));
   picture += svg("circle", { cx: clamp(sx, -99, 999), cy: clamp(sy, -99, 999), r: 6, class: "solution" });
   if (found.boxes.length > 0 && found.state !== "open") {

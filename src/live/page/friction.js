@@ -1,4 +1,4 @@
-const USUAL = { press: 2, mu: 0.5, directions: 4, angle: 30, size: 3 };
+const USUAL = { press: 3, mu: 0.5, directions: 4, angle: 30, size: 3 };
 const SLIDERS = ["press", "mu", "angle", "size"], SPAN = 5, SPEED = 3, G = 9.81;
 const UNITS = { press: " N s", mu: "", angle: "°", size: " N s" };
 const NAMES = ["coupled-box", "polygon", "coulomb-cone"], CLASSES = ["box", "polygon", "disk"];
@@ -22,6 +22,11 @@ function drawFigures() {
   const [ox, oy] = toPlane([0, 0]), radius = toPlane([reach, 0])[0] - ox;
   let picture = svg("line", { x1: 0, x2: 420, y1: oy, y2: oy, class: "axis" }) + svg("line", { x1: ox, x2: ox, y1: 0, y2: 420, class: "axis" });
   picture += svg("text", { x: 346, y: oy - 6 }, "xₜ₁ (N s)") + svg("text", { x: ox + 6, y: 14 }, "xₜ₂ (N s)");
+  for (const at of [-4, -2, 2, 4]) {
+    const [x, y] = toPlane([at, at]), name = short(at);
+    picture += svg("line", { x1: x, x2: x, y1: oy, y2: oy + 5, class: "axis" }) + svg("text", { x, y: oy + 20, "text-anchor": "middle", class: "faint" }, name);
+    picture += svg("line", { x1: ox - 5, x2: ox, y1: y, y2: y, class: "axis" }) + svg("text", { x: ox - 9, y: y + 5, "text-anchor": "end", class: "faint" }, name);
+  }
   picture += svg("rect", { x: ox - radius, y: oy - radius, width: 2 * radius, height: 2 * radius, class: "figure box" });
   picture += svg("circle", { cx: ox, cy: oy, r: radius, class: "figure disk" });
   picture += svg("polygon", { points: corners(k, 0), class: "figure polygon" });

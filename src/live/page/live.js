@@ -2,6 +2,12 @@
 
 const find = (name) => document.querySelector(name);
 
+// An open document inside holds back the page's load event until the first picture is drawn, so that
+// a page that is printed at once is complete.
+const unfinished = document.body.appendChild(document.createElement("iframe"));
+unfinished.hidden = true;
+unfinished.contentDocument.open();
+
 // The module, unpacked; then ask(question) answers at once.
 const opened = (async () => {
   const text = atob(find("#module").textContent.trim());
@@ -80,6 +86,8 @@ function follow(usual, own, show) {
   addEventListener("hashchange", begin);
   begin();
   document.documentElement.dataset.ready = "yes";
+  unfinished.contentDocument?.close();
+  unfinished.remove();
 }
 let keeping; // browsers allow few changes of the address a second, and dragging makes many
 function keep(state, usual) {

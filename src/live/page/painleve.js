@@ -1,4 +1,4 @@
-const USUAL = { mu: 1, theta: 63, omega: 0, dt: 0.01, step: 0 };
+const USUAL = { mu: 1, theta: 63, omega: 0, dt: 0.01, step: 1 };
 const SLIDERS = ["mu", "theta", "omega", "step"], MOST_MU = 3, SLIP = 1;
 const FRAMES = 400;
 const toMap = (mu, theta) => [40 + mu / MOST_MU * 370, 390 - theta / 90 * 370];
@@ -42,7 +42,7 @@ function drawMap() {
   const focus = document.activeElement?.id;
   find("#map").innerHTML = picture;
   const within = (value, low, high) => Math.max(low, Math.min(high, value));
-  const to = (mu, theta) => change({ mu: Math.round(20 * within(mu, 0, MOST_MU)) / 20, theta: Math.round(within(theta, 5, 85)), step: 0 });
+  const to = (mu, theta) => change({ mu: Math.round(20 * within(mu, 0, MOST_MU)) / 20, theta: Math.round(within(theta, 5, 85)), step: USUAL.step });
   draggable(find("#here"), find("#map"), (px, py) => to(...fromMap(px, py)), (dx, dy) => to(state.mu + 0.05 * dx, state.theta - dy));
   if (focus === "here") find("#here").focus();
 }
@@ -66,7 +66,7 @@ function drawRod() {
   [[low, push[0], push[1]], [high, push[2], push[3]]].forEach(([end, normal, friction]) => {
     picture += arrow(end, 0, -unit * normal, "push normal") + arrow(end, unit * friction, 0, "push friction");
   });
-  if (state.step === 0) picture += arrow([low[0], low[1] + 14], -40, 0, "push slip") + svg("text", { x: low[0] - 60, y: low[1] + 34, class: "faint" }, "slides");
+  if (state.step <= 1) picture += arrow([low[0], low[1] + 14], -40, 0, "push slip") + svg("text", { x: low[0] - 60, y: low[1] + 34, class: "faint" }, "slides");
   find("#rod").innerHTML = picture;
   drawSlip();
 }
@@ -80,11 +80,12 @@ function drawSlip() {
   chart += svg("text", { x: left - 8, y: top + 5, "text-anchor": "end", class: "faint" }, short(most, 2)) + svg("text", { x: left - 8, y: zero + 5, "text-anchor": "end", class: "faint" }, "0");
   for (const part of [0.25, 0.5, 0.75, 1]) {
     const x = left + part * (right - left), time = short(part * FRAMES * Number(state.dt));
-    chart += svg("line", { x1: x, x2: x, y1: zero, y2: zero + 5, class: "axis" }) + svg("text", { x, y: zero + 20, "text-anchor": part < 1 ? "middle" : "end", class: "faint" }, part < 1 ? time : `time ${time}`);
+    chart += svg("line", { x1: x, x2: x, y1: zero, y2: zero + 5, class: "axis" }) + svg("text", { x, y: zero + 20, "text-anchor": "middle", class: "faint" }, time);
   }
+  chart += svg("text", { x: left + 0.875 * (right - left), y: zero + 20, "text-anchor": "middle" }, "time");
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
   const [cx, cy] = at(state.step);
-  chart += svg("circle", { cx, cy, r: 5, class: "here" }) + svg("text", { x: right, y: 14, "text-anchor": "end" }, `sliding speed ${short(speeds[state.step], 3)}`);
+  chart += svg("circle", { cx, cy, r: 5, class: "here" }) + svg("text", { x: right, y: 14, "text-anchor": "end" }, `sliding speed: ${short(speeds[state.step], 3)}`);
   find("#slip").innerHTML = chart;
 }
 
@@ -128,9 +129,9 @@ function stop() { clearInterval(timer); timer = undefined; }
 
 opened.then((answering) => {
   ask = answering;
-  for (const id of ["mu", "theta", "omega"]) find(`#${id}`).addEventListener("input", (event) => { stop(); change({ [id]: Number(event.target.value), step: 0 }); });
+  for (const id of ["mu", "theta", "omega"]) find(`#${id}`).addEventListener("input", (event) => { stop(); change({ [id]: Number(event.target.value), step: USUAL.step }); });
   find("#step").addEventListener("input", (event) => { stop(); state.step = Number(event.target.value); drawFrame(); });
-  find("#dt").addEventListener("change", (event) => { stop(); change({ dt: Number(event.target.value), step: 0 }); });
+  find("#dt").addEventListener("change", (event) => { stop(); change({ dt: Number(event.target.value), step: USUAL.step }); });
   find("#first").addEventListener("click", () => { stop(); state.step = 0; drawFrame(); });
   find("#run").addEventListener("click", () => {
     if (timer) { stop(); return drawFrame(); }

@@ -5,7 +5,7 @@ const EXAMPLES = {
   "two solutions": { name: "two solutions", A: { dense: [[2, -3], [-3, 2]] }, b: [1, 1.5] },
   "no solution": { name: "no solution", A: { dense: [[1, -1], [-1, 1]] }, b: [-1, 0] },
 };
-const USUAL = { example: Object.keys(EXAMPLES)[0], solver: "", step: 0, lines: 0, problem: "" };
+const USUAL = { example: Object.keys(EXAMPLES)[0], solver: "", step: Infinity, lines: 0, problem: "" };
 
 let state = USUAL, ask, problem, solved, timer;
 const compact = (value) => JSON.stringify(value, null, 1).replace(/\n\s*/g, " ").replace(/\[ /g, "[").replace(/ \]/g, "]");
@@ -117,7 +117,8 @@ function draw() {
   drawSays();
   drawDerivation();
   drawControls();
-  keep(state, USUAL);
+  const isLast = solved.error || state.step === solved.steps.length - 1;
+  keep(isLast ? { ...state, step: USUAL.step } : state, USUAL);
 }
 // Another problem, or another method.
 function renew() {
@@ -129,7 +130,7 @@ function take(text, changes) {
   find("#text").value = text;
   // What fits into an address goes there.
   const own = state.example in EXAMPLES && text === compact(EXAMPLES[state.example]);
-  state = { ...state, step: 0, lines: 0, ...changes, problem: own || text.length > 4000 ? "" : text };
+  state = { ...state, step: Infinity, lines: 0, ...changes, problem: own || text.length > 4000 ? "" : text };
   renew();
 }
 function judge() {
@@ -159,7 +160,7 @@ opened.then((answering) => {
   ask = answering;
   find("#example").innerHTML = Object.keys(EXAMPLES).map((name) => svg("option", {}, name)).join("");
   find("#example").addEventListener("change", (event) => { state.example = event.target.value; take(compact(EXAMPLES[state.example]), {}); });
-  find("#solver").addEventListener("change", (event) => { state = { ...state, solver: event.target.value, step: 0, lines: 0 }; renew(); });
+  find("#solver").addEventListener("change", (event) => { state = { ...state, solver: event.target.value, step: Infinity, lines: 0 }; renew(); });
   find("#text").addEventListener("input", (event) => { clearTimeout(timer); timer = setTimeout(() => take(event.target.value, {}), 300); });
   find("#file").addEventListener("change", (event) => event.target.files[0] && load(event.target.files[0]));
   document.body.addEventListener("dragover", (event) => event.preventDefault());

@@ -113,7 +113,7 @@ function drawCones() {
   const arrow = (v, name, text) => {
     const [x, y] = toCones(v), size = Math.hypot(...v) || 1;
     const [tx, ty] = toCones([v[0] + v[0] / size * 0.35, v[1] + v[1] / size * 0.35]);
-    return svg("line", { x1: 210, y1: 210, x2: x, y2: y, class: name, style: "stroke-dasharray:none" }) + svg("text", { x: tx - 8, y: ty + 4 }, text);
+    return svg("line", { x1: 210, y1: 210, x2: x, y2: y, class: name, style: "stroke-dasharray:none" }) + svg("text", { x: tx - (v[0] < -0.9 * size ? 14 : 8), y: ty + 4 }, text);
   };
   picture += arrow(I[0], "axis", "−e₀") + arrow(I[1], "axis", "−e₁") + arrow(A[0], "w0", "A₀") + arrow(A[1], "w1", "A₁");
   const [cx, cy] = toCones(point);
