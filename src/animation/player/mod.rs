@@ -27,8 +27,9 @@ use stage::Stage;
 
 /// Maximum number of instants in a recording, and in all recordings of an animation.
 const SAMPLES: (usize, usize) = (151, 600);
-/// Number of instants in the strip shown where the animation cannot be played.
-const STILLS: usize = 5;
+/// Number of instants in the strip shown where the animation cannot be played, of one recording
+/// and of each of several.
+const STILLS: (usize, usize) = (6, 5);
 /// Motions up to this many times the size of the smallest share the scale of their strips.
 const CALM: f64 = 2.5;
 /// The largest number of moving bodies whose motion is visible in one picture.
@@ -59,6 +60,8 @@ pub struct Animation {
     pub recordings: Vec<Recording>,
     /// The view.
     pub view: View,
+    /// The step of the instant to show first; the most telling one without it.
+    pub start: Option<usize>,
 }
 
 /// Errors whose ratio is above this differ clearly.
@@ -103,8 +106,8 @@ impl Recording {
     }
 
     /// The instants that a strip shows.
-    fn stills(&self) -> Vec<Frame> {
-        let kept = instants(self.samples.len().saturating_sub(1), STILLS).into_iter();
+    fn stills(&self, count: usize) -> Vec<Frame> {
+        let kept = instants(self.samples.len().saturating_sub(1), count).into_iter();
         kept.filter_map(|k| Some(self.samples.get(k)?.frame.clone())).collect()
     }
 
@@ -154,7 +157,7 @@ impl Animation {
     pub fn new(id: impl Into<String>, scene: &Scene, recordings: Vec<Recording>) -> Self {
         let frames: Vec<_> = recordings.iter().flat_map(Recording::frames).collect();
         let view = View::of(scene, &frames);
-        Animation { id: id.into(), scene: scene.clone(), recordings, view }
+        Animation { id: id.into(), scene: scene.clone(), recordings, view, start: None }
     }
 
     /// The number of instants for each of this number of recordings.
@@ -170,6 +173,11 @@ impl Animation {
     /// The first instant to show: the one with the largest difference between recordings or, for a
     /// single recording, with the largest forces; the first of these.
     pub(crate) fn first_shown(&self) -> usize {
+        if let Some(step) = self.start {
+            let is_before =
+                |own: &Sample| own.motion.time < (step as f64 - 0.5) * self.scene.step.dt;
+            return self.longest().iter().filter(|own| is_before(own)).count();
+        }
         let sample = |recording: &Recording, k: usize| {
             recording.samples.get(k).map(|sample| sample.frame.clone())
         };
@@ -313,7 +321,8 @@ impl Animation {
     /// A small picture of the first recording: of the motion if few bodies move, so that the
     /// earlier instants hide nothing, and of the start otherwise.
     pub(crate) fn thumbnail(&self, size: (f64, f64)) -> String {
-        let mut frames = self.recordings.first().map(Recording::stills).unwrap_or_default();
+        let first = self.recordings.first();
+        let mut frames = first.map(|own| own.stills(STILLS.1)).unwrap_or_default();
         let is_moving = |body: &&Body| body.mass != Mass::Fixed;
         if self.scene.bodies.iter().filter(is_moving).count() > FEW {
             frames.truncate(1);
@@ -323,7 +332,8 @@ impl Animation {
 
     /// Some instants of a recording as a picture.
     pub(crate) fn strip(&self, recording: usize) -> Strip {
-        let stills: Vec<Vec<Frame>> = self.recordings.iter().map(Recording::stills).collect();
+        let count = if self.recordings.len() == 1 { STILLS.0 } else { STILLS.1 };
+        let stills: Vec<Vec<Frame>> = self.recordings.iter().map(|own| own.stills(count)).collect();
         let sizes: Vec<f64> = stills
             .iter()
             .map(|frames| extent::size(&extent::landmarks(&self.scene, frames)))

@@ -21,6 +21,10 @@ use crate::plot::style::width;
 
 /// The minimum and maximum height of a stage in px.
 const HEIGHT: (f64, f64) = (250.0, 420.0);
+/// The width of a single stage, so that its scales can be read on a phone, and the part of that
+/// width for these scales.
+const SINGLE: f64 = 560.0;
+const READABLE: f64 = 1.0 / 1.6;
 /// The gap between stages in px.
 const GAP: f64 = 10.0;
 /// The space below the motion for the scales, in px.
@@ -64,6 +68,7 @@ impl Stage {
         let columns = animation.columns() as f64;
         let across = ((WIDTH - (columns - 1.0) * GAP) / columns).round();
         let highest = (0.75 * across).clamp(HEIGHT.0, HEIGHT.1);
+        let (across, highest) = if columns == 1.0 { (SINGLE, HEIGHT.0) } else { (across, highest) };
         let samples = || animation.recordings.iter().flat_map(|recording| &recording.samples);
         let is_heated = samples().any(|sample| !sample.frame.heat.is_empty());
         let heaviest = heaviest(&animation.scene.bodies).filter(|_| !is_heated);
@@ -72,7 +77,7 @@ impl Stage {
             samples().any(|sample| sample.frame.forces.iter().any(|force| force.origin == *origin))
         };
         let origins: Vec<Origin> = Origin::ALL.into_iter().filter(acts).collect();
-        let is_narrow = across < ONE_LINE && origins.len() > 1;
+        let is_narrow = (across < ONE_LINE || columns == 1.0) && origins.len() > 1;
         let foot = FOOT + if heaviest.is_some() || is_narrow { LINE } else { 0.0 };
         let lens = |window: &Window| Layout::single(window, across, highest).lens(camera, window);
         let largest = |sample: &super::Sample| arrow::largest(std::slice::from_ref(&sample.frame));
@@ -132,6 +137,7 @@ impl Stage {
             );
         }
         let Some(newton) = self.newton else { return out };
+        let room = self.lens.width * if self.lens.width == SINGLE { READABLE } else { 1.0 };
         let mut x = length + 15.0 + width(&label, SMALL) + 16.0;
         let force = round_step(0.35 * self.usual);
         out += "<g class=\"forces\">";
@@ -143,7 +149,7 @@ impl Stage {
             let long = force * newton;
             let number = if k == 0 { format!(" {} N", readable(force, 2)) } else { String::new() };
             let words = format!("{}{number}", origin.name());
-            if x + long + 5.0 + width(&words, SMALL) > self.lens.width {
+            if x + long + 5.0 + width(&words, SMALL) > room {
                 break;
             }
             let arrow = arrow::sample(*origin, (x, y), long);

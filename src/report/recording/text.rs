@@ -469,7 +469,7 @@ impl Record {
         };
         let [mean, least] = [mean, least].map(|part| readable((1e4 * part).round() / 100.0, 4));
         format!(
-            "supported by contacts, joints and springs: {mean} % on average, {least} % at least (step {step})"
+            "supported by contacts, joints and springs: {mean} % on average, least in step {step}: {least} %"
         )
     }
 }

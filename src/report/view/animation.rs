@@ -63,17 +63,16 @@ impl View for Plan {
 /// The page of one simulation: its animation and its totals; its tables are next to it.
 pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     let scene = animation.scene.clone();
-    let page = Page { title: scene.title.clone(), lead: lead(record), ..Page::default() };
+    let lead = format!("{}.", markup::literal(&record.run()));
+    let page = Page { title: scene.title.clone(), lead, ..Page::default() };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
+    let mut animation = animation.drawn();
+    animation.title = record.finding();
+    let files = FILES.map(|name| (name.into(), name.into())).into();
+    let player = Player { animation, caption: HOW.into(), files };
+    document.page.opening = vec![Block::Tiles(tiles(record)), Block::Player(Box::new(player))];
     if !scene.teaches.trim().is_empty() {
         document.page.opening.push(Block::Text(markup::literal(scene.teaches.trim())));
-    }
-    document.page.opening.push(Block::Tiles(tiles(record)));
-    document.animation(&animation, "The simulated motion over time.");
-    if let Some(Block::Player(player)) =
-        document.page.sections.iter_mut().flat_map(|section| &mut section.blocks).next()
-    {
-        player.files = FILES.map(|name| (name.into(), name.into())).into();
     }
     document.open("totals", "Totals");
     for (kind, remark) in record.remarks() {
@@ -89,11 +88,6 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
         document.add(Block::Table(at_the_end(record)));
     }
     document.page
-}
-
-/// What happened to the energy and to the constraints, and what was run.
-fn lead(record: &Record) -> String {
-    format!("**{}.** {}.", record.finding(), markup::literal(&record.run()))
 }
 
 /// Whether to trust the run: the judge's verdicts, and what needs attention.
