@@ -19,8 +19,8 @@ use crate::simulation::{Simulation, Step};
 const SWING: f64 = 0.5;
 
 /// The caption of the animation.
-const ANIMATION: &str = "First with exact answers, then with this solver. The redder a body, the less of its \
- weight is supported; a fully red body falls freely.";
+const ANIMATION: &str = "First with exact answers, then with this solver. The redder a body, the larger the \
+ error of the forces on it; it is fully red if the error is its whole weight or more, too little or too much.";
 
 /// The page of a scene's diagnosis.
 ///
@@ -41,7 +41,9 @@ pub(crate) fn diagnosis_page(
     };
     let mut page = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     if let Some(scene) = scene.filter(|_| !found.notes.is_empty()) {
-        page.animation(&animation(scene, found.notes.len())?, ANIMATION);
+        let mut animation = animation(scene, found.notes.len())?;
+        animation.start = found.unsupported.as_ref().map(|_| found.place + 1);
+        page.animation(&animation, ANIMATION);
     }
     for (k, section) in words.sections.iter().enumerate() {
         page.open(&format!("part-{}", k + 1), &section.title);

@@ -24,7 +24,7 @@ const MIDDLE: usize = 15;
 const TALL: usize = 40;
 
 /// A table with more rows than this may break across printed pages.
-const LONG_TABLE: usize = 10;
+const LONG_TABLE: usize = 14;
 
 /// Of a table with more rows than this only the marked ones are printed.
 const UNPRINTED: usize = 100;

@@ -1,6 +1,6 @@
 //! The examination of a scene or a sequence of problems: symptoms, causes and remedies.
 
-use lcplab_page::document::{Document, Section};
+use lcplab_page::document::{Block, Document, Section};
 use lcplab_page::number::{capitalized, readable};
 use serde_json::{Value, json};
 
@@ -287,10 +287,12 @@ impl Examination {
     }
 
     fn why(&self) -> Option<Section> {
-        let title = match (self.causes().is_empty(), self.warnings.is_empty()) {
-            (false, _) => "causes",
-            (true, false) => "warnings",
-            (true, true) => "what was examined",
+        let causes = self.causes();
+        let title = match (&causes[..], self.warnings.is_empty()) {
+            ([only], _) => format!("the cause: {only}"),
+            ([_, ..], _) => format!("the causes: {}", causes.join(", ")),
+            ([], false) => "warnings".into(),
+            ([], true) => "what was examined".into(),
         };
         let mut section = Section::new(title);
         let slow = self.unsupported.iter().flat_map(|found| &found.causes);
@@ -367,7 +369,9 @@ impl Examination {
 
     /// The remedies: the error of the examined solve with each, and of a whole run.
     fn remedies_section(&self) -> Option<Section> {
-        let mut section = Section::new("remedies");
+        let best = self.unsupported.as_ref().and_then(UnsupportedLoad::remedy_in_words);
+        let title = best.map_or("remedies".into(), |best| format!("remedies: {best}"));
+        let mut section = Section::new(title);
         let solved = self.unsupported.iter().flat_map(|found| &found.remedies);
         let of_run = |what: &str| self.remedy_effects.iter().find(|own| own.what == what);
         let now = self.unsupported.as_ref().map_or(0.0, |found| found.missing);
@@ -378,36 +382,48 @@ impl Examination {
             Some(own) => [short(own.missing), readable(1e3 * own.off, DIGITS)],
             None => ["–".into(), "–".into()],
         };
+        let unchanged = of_run(UNCHANGED);
+        let named = |what: &str| match (of_run(what), unchanged) {
+            (Some(own), Some(unchanged)) if own.off > unchanged.off => format!("{what} (worse)"),
+            _ => what.to_string(),
+        };
         let row = |own: &&Remedy| {
             let work = match own.work.is_nan() {
                 true => "–".into(),
                 false => readable(own.work, DIGITS),
             };
-            let solve = [own.what.clone(), short(own.missing), work];
+            let solve = [named(&own.what), short(own.missing), work];
             solve.into_iter().chain(run(of_run(&own.what))).collect()
         };
         let mut rows: Vec<Vec<String>> = tried.iter().map(row).collect();
         let is_new = |own: &&RemedyEffect| tried.iter().all(|remedy| remedy.what != own.what);
         rows.extend(self.remedy_effects.iter().filter(is_new).map(|own| {
-            let solve = [own.what.as_str(), "–", "–"].map(String::from);
+            let error = if own.what == UNCHANGED { short(now) } else { "–".into() };
+            let solve = [named(&own.what), error, "–".into()];
             solve.into_iter().chain(run(Some(own))).collect()
         }));
         if rows.is_empty() && useless.is_empty() {
             return None;
         }
+        rows.sort_by_key(|row| row[0] != UNCHANGED);
+        let best = self.unsupported.as_ref().and_then(UnsupportedLoad::best_remedy);
+        let best = best.and_then(|best| rows.iter().position(|row| row[0] == best.what));
         section.say(
-            "Each remedy was tried alone. An error is a distance from the exact motion, in parts of the change of \
+            "Each change was tried alone; the best one is bold. An error is a distance from the exact motion, in parts of the change of \
              motion that the constraints cause; that of a run is the mean of its second half. The distance is that of the \
              body farthest from its exact position at the end of the run.",
         );
         let columns = [
-            "remedy",
+            "change",
             "error of this solve",
             "its multiplications",
             "error of the run",
             "distance (mm)",
         ];
-        section.table("the error with each remedy", &columns, rows);
+        section.table("the error with each change", &columns, rows);
+        if let Some(Block::Table(table)) = section.blocks.last_mut() {
+            table.chosen = best.filter(|k| *k < table.rows.len());
+        }
         if !useless.is_empty() {
             let names: Vec<&str> = useless.iter().map(|own| own.what.as_str()).collect();
             section.say(format!("No help: {}.", names.join(", ")));

@@ -113,7 +113,12 @@ impl UnsupportedLoad {
 
     /// The load of each pair of bodies.
     pub(crate) fn loads_section(&self) -> Option<Section> {
-        let mut section = Section::new("loads");
+        let kind = if self.is_of_forces { "force" } else { "impulse" };
+        let worst = self.pairs.first().filter(|own| own.due != 0.0).map(|own| {
+            let (part, pair) = (percent(own.given / own.due), own.name.replace('–', " and "));
+            format!("loads: {part} of the required {kind} between {pair}")
+        });
+        let mut section = Section::new(worst.unwrap_or("loads".into()));
         let part = |load: &Load| match load.due {
             0.0 => String::new(),
             due => percent(load.given / due),
