@@ -12,6 +12,7 @@ use lcplab::files;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
+use lcplab::number::readable;
 use lcplab::plot::Figure;
 use lcplab::report::page::Picture;
 use lcplab::scene::{Scene, Scheme};
@@ -111,9 +112,21 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
     if frames.len() < 2 {
         return Ok(None);
     }
+    let moving: Vec<usize> =
+        (0..scene.bodies.len()).filter(|&k| frames[0].states[k].v.norm() > 0.0).collect();
     let mut strip = Strip::new(&scene, frames).with_forces();
+    if let [only] = moving[..] {
+        let (time, v) = (strip.frames[0].time, strip.frames[0].states[only].v.norm());
+        let [time, v] = [time, v].map(|value| readable(value, 3));
+        strip.labels = vec![format!("{time} s: {} moves at {v} m/s", scene.bodies[only].name)];
+    }
     strip.title = "Before and after the step, with the forces of contacts and joints".into();
-    let caption = "An impulse is drawn as its average force over the step.";
+    let caption = match scene.step.scheme {
+        Scheme::Acceleration => {
+            "Arrows are the forces x at the end of the step; the impulses of an impact are not drawn."
+        }
+        _ => "Arrows are the impulses x of the step, divided by its length.",
+    };
     let (svg, narrow) = (strip.svg(), strip.narrow());
     Ok(Some(Picture { svg, narrow, caption: caption.into(), ..Picture::default() }))
 }

@@ -5,6 +5,7 @@ use lcplab_judge::{Demand, Verdict, judge, upper_bound};
 use lcplab_lcp::Lcp;
 use lcplab_page::document::notation::{indexed, plain, settled};
 use lcplab_page::document::{Block, Section};
+use lcplab_page::number::readable;
 use lcplab_solver::Solution;
 
 /// A problem with the meaning of its rows.
@@ -66,7 +67,7 @@ pub(super) fn word(verdict: &Verdict, scaled_residual: f64) -> String {
     format!(
         "The judge sees A, b, the bounds and x, but not the solver. Its verdict is {verdict}. The error of the worst \
          row relative to the size of its terms, the scaled residual, is {}.",
-        plain(scaled_residual)
+        readable(scaled_residual, 2)
     )
 }
 

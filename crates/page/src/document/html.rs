@@ -15,7 +15,7 @@ pub(super) fn written(document: &Document) -> Result<String> {
     };
     let page = Page {
         title: document.title.clone(),
-        lead: literal(&document.lead),
+        lead: joined(&document.lead),
         sections: document.sections.iter().enumerate().map(section).collect(),
         facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
         ..Page::default()
@@ -28,12 +28,21 @@ impl super::Block {
     pub fn on_page(&self) -> Block {
         match self {
             super::Block::Heading(words) => Block::Text(format!("### {}", literal(words))),
-            super::Block::Text(words) => Block::Text(literal(words)),
+            super::Block::Text(words) => Block::Text(joined(words)),
             super::Block::Formula(own) => Block::Equation { latex: formula(own), label: None },
             super::Block::Table(own) => Block::Table(table(own)),
             super::Block::Figure(own) => Block::Figure(own.clone()),
         }
     }
+}
+
+/// The words as markup, with no line break at a relation.
+fn joined(words: &str) -> String {
+    let relations = ["≥", "≤", "=", ">", "<"].into_iter();
+    let words = relations.fold(words.to_string(), |words, sign| {
+        words.replace(&format!(" {sign} "), &format!("\u{a0}{sign}\u{a0}"))
+    });
+    literal(&words)
 }
 
 fn table(table: &super::Table) -> Table {

@@ -7,7 +7,7 @@
 //! assert_eq!((plain(-0.25), indexed("x", 12)), ("−0.25".to_string(), "x₁₂".to_string()));
 //! assert_eq!((vector(&[4.0, 3.0, 1.0]), set(&[2, 0])), ("(4, 3, 1)".into(), "{0, 2}".into()));
 //! assert_eq!(sum(&[(2.0, 4.0), (-1.0, 3.0)], -1.0, 4.0), "2·4 − 1·3 − 1 = 4");
-//! assert_eq!((exact(-1.0 / 3.0), exact(0.35)), ("−1/3".into(), "0.35".into()));
+//! assert_eq!([exact(-1.0 / 3.0), exact(0.5), exact(0.35)], ["−1/3", "1/2", "0.35"]);
 //! assert_eq!(settled(&[1e-17, 2.0], &[1.0, 2.0]), [0.0, 2.0]); // a rounding error is 0
 //! assert_eq!((bracketed(-2.0), interval(0.0, f64::INFINITY)), ("(−2)".into(), "[0, ∞)".into()));
 //! ```
@@ -21,16 +21,17 @@ const DIGITS: usize = 6;
 const TERMS: usize = 6;
 /// A smaller part of a number is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// The largest divisor of a fraction that is written.
+/// The largest divisor of a fraction that is written, and of one whose decimals end soon.
 const LARGEST_DIVISOR: u32 = 99;
+const HALVES: u32 = 4;
 
 /// A number for display: `−0.25`, `1.5×10⁻⁹`, `∞`.
 pub fn plain(value: f64) -> String {
     readable(value, DIGITS)
 }
 
-/// A fraction of small integers, up to rounding, as that fraction, unless its decimals end soon:
-/// `1/3`, `0.35`.
+/// A fraction of small integers, up to rounding, as that fraction, unless its decimals end soon and
+/// its divisor is above 4: `1/3`, `1/2`, `0.35`.
 pub fn exact(value: f64) -> String {
     let decimal = plain(value);
     let ends = decimal.chars().filter(char::is_ascii_digit).count() < DIGITS;
@@ -38,7 +39,7 @@ pub fn exact(value: f64) -> String {
         let p = value * f64::from(*q);
         p.round() != 0.0 && (p - p.round()).abs() <= ROUNDING * p.abs()
     };
-    match (1..=LARGEST_DIVISOR).find(is_fraction).filter(|&q| q > 1 && !ends) {
+    match (1..=LARGEST_DIVISOR).find(is_fraction).filter(|&q| q > 1 && (!ends || q <= HALVES)) {
         Some(q) => format!("{}/{q}", plain((value * f64::from(q)).round())),
         None => decimal,
     }

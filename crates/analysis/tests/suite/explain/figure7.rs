@@ -190,7 +190,7 @@ fn figure_7_by_the_pivots_of_lemke() {
       Impulses, tableau 2: x₁ enters, w₀ leaves
         basic   value   x₀     x₁   x₂   w₁   ratio
         w₀          0    2   [−3]    1    1   0 ←
-        z           1    1     −2    1    1   0.5
+        z           1    1     −2    1    1   1/2
         w₂          2    1     −3    3    1   2/3
       Impulses, tableau 3: x₀ enters, w₂ leaves
         basic   value     x₀     w₀    x₂    w₁   ratio
