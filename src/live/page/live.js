@@ -6,7 +6,7 @@ const find = (name) => document.querySelector(name);
 // a page that is printed at once is complete.
 const unfinished = document.body.appendChild(document.createElement("iframe"));
 unfinished.hidden = true;
-unfinished.contentDocument.open();
+unfinished.contentDocument?.open();
 
 // The module, unpacked; then ask(question) answers at once.
 const opened = (async () => {
