@@ -5,7 +5,6 @@ use lcplab::lcp::file::Problem;
 use lcplab::lcp::{Lcp, Question};
 use lcplab::number::readable;
 use lcplab::page::{self, Block, Cell, Page, Section, Table};
-use lcplab::plot::{Axis, Lines, Series};
 use lcplab::proof::{Claim, Entry, Kind, Proof, Reason, Tree, Vector};
 
 /// Maximum number of rows of a table; the proof file has all of them.
@@ -49,14 +48,14 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
     let (rows, sentence) = (problem.lcp.len(), proof.sentence());
     let meaning = match &proof.claim {
         Claim::NotUnique { x, y } if agree_in_w(problem, x, y) && unit(problem).is_some() => {
-            ": the load can be shared in more than one way, and the bodies move alike"
+            " The load can be shared in more than one way; w is the same in both, up to rounding, so the bodies move alike."
         }
         _ => "",
     };
     Page {
         title: format!("A proof about {name}"),
         lead: format!(
-            "**Proved: {sentence}{meaning}.** This is the strongest statement that lcplab proves about this \
+            "**Proved: {sentence}.**{meaning} This is the strongest statement that lcplab proves about this \
              complementarity problem of {rows} rows.",
         ),
         sections,
@@ -85,18 +84,7 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
             "All principal minors of A are positive, so the problem has exactly one solution for every b.",
         ),
         Claim::NotUnique { x, y } => {
-            let same = match agree_in_w(problem, x, y) {
-                true => " w is the same in both, up to rounding.",
-                false => "",
-            };
-            let why = format!(
-                "Both x and y satisfy the conditions of every row in exact arithmetic.{same}"
-            );
-            let mut blocks = solutions(&[x, y], &why);
-            if !seen(&values(&problem.lcp, x), &values(&problem.lcp, y)).is_empty() {
-                blocks.insert(1, picture(problem, [x, y]));
-            }
-            blocks
+            solutions(&[x, y], "Both x and y satisfy the conditions of every row in exact arithmetic.")
         }
         Claim::NoSolution { tree: Tree::Leaf(d) } => vec![
             Block::Text(
@@ -118,14 +106,6 @@ fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
         | Claim::Motion(_)
         | Claim::FrozenMotion(_)
         | Claim::Within { .. } => Vec::new(),
-    }
-}
-
-/// In how many rows two points differ by more than rounding.
-fn differing(lcp: &Lcp, x: &Vector, y: &Vector) -> String {
-    match seen(&values(lcp, x), &values(lcp, y)).len() {
-        0 => format!("by less than {AGREES:e} of the largest entry"),
-        rows => format!("in {rows} of {} rows", lcp.len()),
     }
 }
 
@@ -151,36 +131,14 @@ fn agree_in_w(problem: &Problem, x: &Vector, y: &Vector) -> bool {
     (0..lcp.len()).all(|i| apart(i) <= AGREES * size)
 }
 
-/// The figure of two solutions and the friction limits, in the rows in which they differ.
-fn picture(problem: &Problem, points: [&Vector; 2]) -> Block {
-    let lcp = &problem.lcp;
-    let [x, y] = points.map(|point| values(lcp, point));
-    let rows = seen(&x, &y);
-    let at = |values: &[RBig], i: usize| (i as f64, values[i].to_f64().value());
-    let dots = |name: &str, values: &[RBig]| {
-        Series::points(name, rows.iter().map(|&i| at(values, i)).collect())
+/// The largest magnitudes that friction allows in these rows, if all are friction rows whose normal
+/// rows are not among them.
+fn friction_limits(lcp: &Lcp, x: &[RBig], rows: &[usize]) -> Option<Vec<RBig>> {
+    let limit = |&i: &usize| {
+        let (normal, mu) = lcp.coupled_to(i)?;
+        (!rows.contains(&normal)).then(|| exact(mu) * &x[normal])
     };
-    let limit = |&i: &usize| Some((i as f64, limit(lcp, &x, i)?.to_f64().value()));
-    let limits = rows.iter().filter_map(limit).flat_map(|(i, limit)| [(i, -limit), (i, limit)]);
-    let limits = Series::points("friction limit", limits.collect());
-    let mut series = vec![dots("solution x", &x), dots("solution y", &y)];
-    let mut caption = "Only the rows in which they differ.";
-    if !limits.points.is_empty() {
-        series.insert(0, limits);
-        caption = "Only the rows in which they differ. The limit of a friction row is ±μ times the normal entry of x.";
-    }
-    let unit = unit(problem).unwrap_or_default();
-    let rows = differing(lcp, points[0], points[1]);
-    let title = format!("The two solutions differ {rows}");
-    let [across, up] = [Axis::linear("row", ""), Axis::linear("value", unit)];
-    let figure = Lines::new("solutions", title, caption, across, up, series);
-    Block::Figure(page::Picture { files: Vec::new(), ..page::Picture::of(&figure, "") })
-}
-
-/// The largest magnitude that friction allows in row i, if it is a friction row.
-fn limit(lcp: &Lcp, x: &[RBig], i: usize) -> Option<RBig> {
-    let coupling = lcp.coupling()?;
-    Some(exact(coupling.mu(i)) * &x[coupling.index(i)?])
+    rows.iter().map(limit).collect()
 }
 
 fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
@@ -202,13 +160,18 @@ fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
         _ => Vec::new(),
     };
     let shown = if shown.is_empty() { (0..lcp.len()).collect() } else { shown };
-    let rows = shown.iter().take(SHOWN).map(|&i| {
+    let limits = friction_limits(lcp, &points[0], &shown).filter(|_| points.len() > 1);
+    if limits.is_some() {
+        headings += &format!(" | #±μ times normal x{of_x}");
+    }
+    let rows = shown.iter().take(SHOWN).enumerate().map(|(row, &i)| {
         let of = |x: &Vec<RBig>| {
             let w = (!is_same_w).then(|| decimal(&w(lcp, x, i), size_of_w));
             [Some(decimal(&x[i], size)), w].into_iter().flatten().map(Cell::text)
         };
         let label = Cell::text(label(problem, i));
-        [label].into_iter().chain(points.iter().flat_map(of)).collect()
+        let limit = limits.as_ref().map(|limits| Cell::text(decimal(&limits[row], size)));
+        [label].into_iter().chain(points.iter().flat_map(of)).chain(limit).collect()
     });
     let title = match points.len() {
         1 => "The solution",

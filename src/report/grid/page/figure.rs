@@ -57,7 +57,7 @@ pub(super) fn figure(
         false => "closed form",
     };
     let theory = |curve: &Curve| {
-        let points = fine(curves, curve, measure).map(|(points, _)| points);
+        let points = fine(curves, curve, measure).map(|fine| fine.points);
         let points = scaled(points.unwrap_or_else(|| curve.predicted(measure)));
         let name = format!("theory, {}: {bands}", curve.name);
         points.iter().any(|(_, y)| y.is_finite()).then(|| Series::theory(name, points).labeled(""))
@@ -71,8 +71,8 @@ pub(super) fn figure(
         };
         words.push(theory.into());
         let spots = shown.iter().filter_map(|curve| {
-            let (_, best) = fine(curves, curve, measure)?;
-            Some((&curve.name, Series::spot(&curve.name, "ω*", best).labeled(&curve.name)))
+            let least = fine(curves, curve, measure)?.least;
+            Some((&curve.name, Series::spot(&curve.name, "ω*", least).labeled(&curve.name)))
         });
         let spots: Vec<_> = spots.collect();
         if !spots.is_empty() {
@@ -136,11 +136,12 @@ fn units(grid: &Grid) -> Vec<&'static str> {
 }
 
 /// Young's closed form of a curve at close positions, and its minimum.
-fn fine(
-    curves: &Curves<'_>,
-    curve: &Curve<'_>,
-    measure: &Measure,
-) -> Option<(Vec<(f64, f64)>, (f64, f64))> {
+struct Fine {
+    points: Vec<(f64, f64)>,
+    least: (f64, f64),
+}
+
+fn fine(curves: &Curves<'_>, curve: &Curve<'_>, measure: &Measure) -> Option<Fine> {
     let best = curves.optimum(curve)?;
     let predicted = curve.predicted(measure);
     let (x, y) = *predicted.iter().find(|(_, y)| y.is_finite())?;
@@ -155,7 +156,8 @@ fn fine(
     let mut places: Vec<f64> =
         (0..=FINE).map(|k| from + (to - from) * k as f64 / FINE as f64).chain([best]).collect();
     places.sort_by(f64::total_cmp);
-    Some((places.into_iter().map(|omega| (omega, value(omega))).collect(), (best, value(best))))
+    let points = places.into_iter().map(|omega| (omega, value(omega))).collect();
+    Some(Fine { points, least: (best, value(best)) })
 }
 
 /// The distance between positions, if there are many and it is always the same.
