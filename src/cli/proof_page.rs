@@ -48,7 +48,7 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
     let (rows, sentence) = (problem.lcp.len(), proof.sentence());
     let meaning = match &proof.claim {
         Claim::NotUnique { x, y } if agree_in_w(problem, x, y) && unit(problem).is_some() => {
-            " The load can be shared in more than one way; w is the same in both, up to rounding, so the bodies move alike."
+            " The contacts can share the forces in more than one way; w is the same in both, up to rounding, so the bodies move alike."
         }
         _ => "",
     };
@@ -162,7 +162,7 @@ fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
     let shown = if shown.is_empty() { (0..lcp.len()).collect() } else { shown };
     let limits = friction_limits(lcp, &points[0], &shown).filter(|_| points.len() > 1);
     if limits.is_some() {
-        headings += &format!(" | #±μ times normal x{of_x}");
+        headings += &format!(" | #limit{of_x}");
     }
     let rows = shown.iter().take(SHOWN).enumerate().map(|(row, &i)| {
         let of = |x: &Vec<RBig>| {
@@ -173,12 +173,16 @@ fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
         let limit = limits.as_ref().map(|limits| Cell::text(decimal(&limits[row], size)));
         [label].into_iter().chain(points.iter().flat_map(of)).chain(limit).collect()
     });
+    let note = match limits {
+        Some(_) => "t1, t2: friction. limit: ±μ times the normal x. ",
+        None => "",
+    };
     let title = match points.len() {
         1 => "The solution",
         _ if shown.len() < lcp.len() => "Two solutions, in the rows in which they differ",
         _ => "Two solutions",
     };
-    Table::new(title, more(shown.len()), &headings, rows.collect())
+    Table::new(title, note.to_string() + &more(shown.len()), &headings, rows.collect())
 }
 
 fn vector_table(problem: &Problem, d: &[(usize, dashu_int::IBig)]) -> Table {
@@ -236,7 +240,7 @@ fn label(problem: &Problem, i: usize) -> String {
 }
 
 /// The bodies of a contact's row, and its point and direction: of `friction slope box 2 at face 0
-/// on vertex 1` these are `slope box` and `vertex 1, friction 2`.
+/// on vertex 1` these are `slope box` and `vertex 1, t2`.
 fn contact(label: &str) -> Option<(&str, String)> {
     let (front, features) = label.split_once(" at ")?;
     let (_, point) = features.split_once(" on ")?;
@@ -246,7 +250,7 @@ fn contact(label: &str) -> Option<(&str, String)> {
         bodies,
         match kind {
             "normal" => format!("{point}, normal"),
-            kind => format!("{point}, {kind} {component}"),
+            _ => format!("{point}, t{component}"),
         },
     ))
 }

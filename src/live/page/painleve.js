@@ -93,11 +93,12 @@ function drawWords() {
   const { a, b, forces, steps } = rod, digits = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 4), lines = [];
   const known = forces.map(digits).join(" and ");
   lines.push(`Acceleration level: w = a x + b with a = 1 + 3cos²θ − 3μ sin θ cos θ = ${digits(a)} and b = ω² sin θ − 1 = ${digits(b)}.`);
-  lines.push(forces.length === 0 ? "        w < 0 for every x ≥ 0, so there is no solution." : `        x = ${known}${forces.length > 1 ? ": the end leaves the floor, or stays on it." : "."}`);
+  lines.push(forces.length === 0 ? "w < 0 for every x ≥ 0, so there is no solution." : `x = ${known}${forces.length > 1 ? ": the end leaves the floor, or stays on it." : "."}`);
   lines.push(`Velocity level, one step from a sliding speed of ${SLIP}; here friction can also stop the sliding. If there are several solutions, the solver returns one of them:`);
   for (const { dt, x, w } of steps) {
     const word = x[0] < 1e-12 ? "leaves the floor" : Math.abs(w[1]) < 1e-9 ? "sticks at once" : "keeps sliding";
-    lines.push(`        dt = ${String(dt).padEnd(6)} x = (${x.map(digits).join(", ")})   x/dt = ${digits(x[0] / dt)}   ${word}`);
+    const parts = [`dt = ${dt}: x = (${x.map(digits).join(", ")})`, `x/dt = ${digits(x[0] / dt)}`, word]; // a phone breaks lines between them
+    lines.push(parts.map((part) => part.replaceAll(" ", "\u00a0")).join(", "));
   }
   find("#words").textContent = lines.join("\n");
   const says = { 0: "No solution: friction turns the end into the floor faster than the normal force can lift it, however large the force is.", 1: "One solution.", 2: "Two solutions: the end leaves the floor, or stays on it." }[forces.length];

@@ -105,9 +105,9 @@ impl Record {
         let time = readable(self.last.time, 4);
         match &parts[..] {
             [first @ .., last] if !first.is_empty() => {
-                format!("In {time} s {} and {last}", first.join(", "))
+                format!("In {time}\u{a0}s {}, and {last}", first.join(", "))
             }
-            parts => format!("In {time} s {}", parts.join("")),
+            parts => format!("In {time}\u{a0}s {}", parts.join("")),
         }
     }
 
@@ -117,7 +117,7 @@ impl Record {
         let scale = self.first.energy().abs().max(self.last.energy().abs()).max(self.most_kinetic);
         match end.abs() > ROUNDING * scale {
             true if self.most_kinetic > 0.0 => format!(
-                "the energy changes by {} J, {} % of the largest kinetic energy",
+                "the energy changes by {} J ({} % of the largest kinetic energy)",
                 readable(end, 3),
                 readable(100.0 * end.abs() / self.most_kinetic, 2)
             ),

@@ -157,8 +157,8 @@ fn default(choices: &[&Progress]) -> Option<String> {
         .filter_map(|solver| Some((multiple(solver)?, solver)))
         .min_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(format!(
-        " **One default: *{solver}*, at most {} times as expensive as the cheapest in every row of Table 1.**",
-        (10.0 * most).ceil() / 10.0
+        " **One default: *{solver}*, at worst about {} times as expensive as the cheapest in Table 1.**",
+        rough(most)
     ))
 }
 
@@ -205,7 +205,7 @@ fn choice(choices: &[&Progress]) -> Table {
         title: "Which solver for which problem".into(),
         how_to_read: "The cost of each solver in sweeps of *pgs*, of which engines typically take ten; pivoting methods are \
                       counted with dense matrices. ✓: the cheapest of all; –: not within the tolerance after the maximum \
-                      number of iterations. *mass ratio*: the top box to each of the others."
+                      number of iterations, or without a weight to support. *mass ratio*: the top box to each of the others."
             .into(),
         columns,
         rows: choices.iter().map(row).collect(),
