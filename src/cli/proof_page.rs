@@ -47,7 +47,11 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
     }
     let (rows, sentence) = (problem.lcp.len(), proof.sentence());
     let meaning = match &proof.claim {
-        Claim::NotUnique { x, y } if agree_in_w(problem, x, y) && unit(problem).is_some() => {
+        Claim::NotUnique { x, y }
+            if problem.lcp.matrix().is_symmetric()
+                && unit(problem).is_some()
+                && agree_in_w(problem, x, y) =>
+        {
             " The contacts can share the forces in more than one way; w is the same in both, up to rounding, so the bodies move alike."
         }
         _ => "",
@@ -122,7 +126,8 @@ fn sizes(lcp: &Lcp, points: &[Vec<RBig>]) -> [f64; 2] {
     [of_x, lcp.b().iter().fold(0.0, |most: f64, b| most.max(b.abs()))]
 }
 
-/// Whether two solutions have the same w, up to rounding: a motion decides it.
+/// Whether two solutions have the same w, up to rounding. If A = J M⁻¹Jᵀ, they then have the same
+/// motion.
 fn agree_in_w(problem: &Problem, x: &Vector, y: &Vector) -> bool {
     let lcp = &problem.lcp;
     let points = [values(lcp, x), values(lcp, y)];

@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
+use super::Study;
 use super::variation::Variation;
-use super::{Study, clock};
 use crate::error::Result;
 use crate::scene::Scheme;
 use crate::solver::{Entry, Registry};
@@ -63,16 +63,8 @@ impl Study for Plan {
         let solvers: Vec<Entry> =
             self.solvers.iter().map(|name| solvers.entry(name).cloned()).collect::<Result<_>>()?;
         let scene = Variation::of(&task.scene, &task.change).scene()?;
-        let run = || compare(&scene, &self.schemes, &solvers, task.steps, &|| ());
-        let total = |timings: &[Timing]| timings.iter().map(|own| own.seconds).sum();
-        let (mut comparison, mut timings) = run();
-        clock::repeat(total(&timings), || {
-            let (_, again) = run();
-            for (own, again) in timings.iter_mut().zip(&again) {
-                own.seconds = own.seconds.min(again.seconds);
-            }
-            total(&again)
-        });
+        let (mut comparison, timings) =
+            compare(&scene, &self.schemes, &solvers, task.steps, &|| ());
         comparison.runs.iter_mut().for_each(|run| run.motion = thinned(&run.motion));
         Ok((comparison, timings))
     }

@@ -6,8 +6,8 @@ use crate::report::page::{Cell, Table};
 use crate::report::study::comparison::Timing;
 
 const TITLE: &str = "Wall time of a step";
-const ABOUT: &str = "Mean over a simulation: contacts, assembly, solves and motion, without the judge; the least of \
-                     up to five runs.";
+const ABOUT: &str = "Mean over one simulation: contacts, assembly, solves and motion, without the judge. Several \
+                     simulations ran at the same time.";
 
 /// A row for each scheme and a column for each scene, if they have a single run; otherwise a row
 /// for each run.

@@ -411,7 +411,7 @@ impl Examination {
         section.say(
             "Each change was tried alone; the best one is bold. An error is a distance from the exact motion, in parts of the change of \
              motion that the constraints cause; that of a run is the mean of its second half. The distance is that of the \
-             body farthest from its exact position at the end of the run. –: not measured; the cost of this solve is that of its sweeps.",
+             body farthest from its exact position at the end of the run. –: not measured.",
         );
         let columns = [
             "change",
