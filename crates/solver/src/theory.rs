@@ -87,10 +87,10 @@ pub fn sor_iteration_matrix(a: &Matrix, omega: f64) -> DMatrix<f64> {
 /// The iteration matrix of relaxation with ω for rows in the given order, which may contain a row
 /// more than once.
 ///
-/// It is computed by applying the sweep to all unit errors at once:
+/// Its columns are the unit errors after one sweep:
 ///
 /// ```text
-/// E ← I,   then for each row i:   E_i ← E_i − ω/a_ii (A E)_i
+/// e ← unit error,   then for each row i:   e_i ← e_i − ω/a_ii (A e)_i
 /// ```
 ///
 /// ```
@@ -107,14 +107,16 @@ pub fn ordered_iteration_matrix(
     omega: f64,
     order: impl IntoIterator<Item = usize>,
 ) -> DMatrix<f64> {
+    let order: Vec<usize> = order.into_iter().collect();
+    let nonzeros = |i: usize| a.row(i).iter().filter(|&(_, entry)| entry != 0.0).collect();
+    let rows: Vec<Vec<(usize, f64)>> = (0..a.len()).map(nonzeros).collect();
     let mut errors = DMatrix::identity(a.len(), a.len());
-    for i in order {
-        let mut correction = DMatrix::zeros(1, a.len()).row(0).into_owned();
-        for (j, entry) in a.row(i).iter() {
-            correction += entry * errors.row(j);
+    // One unit error after the other: a column is contiguous in memory.
+    for mut error in errors.column_iter_mut() {
+        for &i in &order {
+            let residual: f64 = rows[i].iter().map(|&(j, entry)| entry * error[j]).sum();
+            error[i] -= residual * (omega / a.diagonal(i));
         }
-        let mut row = errors.row_mut(i);
-        row -= correction * (omega / a.diagonal(i));
     }
     errors
 }

@@ -66,9 +66,10 @@ impl Solvers<'_> {
         let is_lost = |first: &Solution| {
             PIVOTING.contains(&name) && !matches!(first.status, Status::Solved | Status::Stopped)
         };
-        if let Some(first) = first.as_ref().filter(|first| !is_lost(first)) {
-            return (name.into(), first.clone());
-        }
+        let first = match first {
+            Some(first) if !is_lost(&first) => return (name.into(), first),
+            lost => lost,
+        };
         let options = Options::default().with_settings(settings(self.scene));
         let tried = first.as_ref().map_or("", |_| name);
         let next = solve_boxed_without(tried, lcp, start, &options, observer);

@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::report::methods;
 use crate::report::study::posed::Source;
 use crate::report::study::trial::Outcome;
-use crate::solver::{Options, Registry, Settings};
+use crate::solver::{Entry, Options, Registry, Settings, theory};
 
 /// The problems and solvers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -89,11 +89,38 @@ impl MethodProgress {
 pub const BUDGET: usize = 10;
 
 impl Methods {
-    /// Runs the methods on a problem.
+    /// Runs the methods on a problem, with the rates that theory predicts.
     ///
     /// # Errors
     /// If the problem or the solver does not exist.
     pub(crate) fn run(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
+        self.each(problem, solvers, |entry, posed, options| {
+            let (mut method, solution) = watch::run(entry, posed, options);
+            let inside = theory::rows_inside(&posed.lcp, &solution.x);
+            method.rate = theory::rate(&entry.name, options, &posed.lcp, &inside);
+            method
+        })
+    }
+
+    /// The costs of the methods on a problem: the marks after ten sweeps and at the end.
+    ///
+    /// # Errors
+    /// If the problem or the solver does not exist.
+    pub(crate) fn choose(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
+        self.each(problem, solvers, |entry, posed, options| {
+            let (mut method, _) = watch::run(entry, posed, options);
+            let end = method.marks.last().map_or(0, |mark| mark.iteration);
+            method.marks.retain(|mark| mark.iteration == BUDGET || mark.iteration == end);
+            method
+        })
+    }
+
+    fn each(
+        &self,
+        problem: &Source,
+        solvers: &Registry,
+        measure: impl Fn(&Entry, &Posed, &Options) -> MethodProgress,
+    ) -> Result<Progress> {
         let posed = match problem {
             Source::Stack(stack) => {
                 let problem = stack.problem()?;
@@ -112,20 +139,7 @@ impl Methods {
             stored: posed.lcp.matrix().stored(),
             omega: self.omega,
             tolerance: self.tolerance,
-            methods: runs.iter().map(|entry| watch::run(entry, &posed, &options)).collect(),
+            methods: runs.iter().map(|entry| measure(entry, &posed, &options)).collect(),
         })
-    }
-
-    /// The costs of the methods on a problem: the marks after ten sweeps and at the end.
-    ///
-    /// # Errors
-    /// If the problem or the solver does not exist.
-    pub(crate) fn choose(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
-        let mut progress = self.run(problem, solvers)?;
-        for method in &mut progress.methods {
-            let end = method.marks.last().map_or(0, |mark| mark.iteration);
-            method.marks.retain(|mark| mark.iteration == BUDGET || mark.iteration == end);
-        }
-        Ok(progress)
     }
 }

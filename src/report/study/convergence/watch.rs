@@ -9,7 +9,7 @@ use super::methods::MethodProgress;
 use crate::formulation::Problem;
 use crate::lcp::{Lcp, merit};
 use crate::report::study::trial::Outcome;
-use crate::solver::{Entry, Group, Iterate, Observer, Options, Start, theory};
+use crate::solver::{Entry, Group, Iterate, Observer, Options, Solution, Start};
 use crate::trace::Work;
 
 /// Gravity in the stacks (m/s²).
@@ -62,8 +62,8 @@ impl Posed {
     }
 }
 
-/// Solves the problem from 0.
-pub(super) fn run(entry: &Entry, posed: &Posed, options: &Options) -> MethodProgress {
+/// Solves the problem from 0; without the rate that theory predicts.
+pub(super) fn run(entry: &Entry, posed: &Posed, options: &Options) -> (MethodProgress, Solution) {
     let lcp = &posed.lcp;
     let mut watch =
         Watch { posed, work: Work::of(entry, lcp), marks: Vec::new(), next: 0, active: Vec::new() };
@@ -74,8 +74,8 @@ pub(super) fn run(entry: &Entry, posed: &Posed, options: &Options) -> MethodProg
     marks.retain(|mark| entry.group != Group::Pivoting && mark.iteration < end.iteration);
     marks.push(end);
     let outcome = Outcome::of(&solution, lcp, options.settings.tolerance);
-    let rate = theory::rate(&entry.name, options, lcp, &theory::rows_inside(lcp, &solution.x));
-    MethodProgress { solver: entry.name.to_string(), outcome, marks, rate }
+    let solver = entry.name.to_string();
+    (MethodProgress { solver, outcome, marks, rate: None }, solution)
 }
 
 /// An observer that records selected iterates.

@@ -78,7 +78,7 @@ impl Study for Plan {
 pub enum Size {
     /// With dt, dt/2, dt/4 and dt/8.
     Full,
-    /// Without dt/8.
+    /// Without dt/8, and with dt alone where the quantity does not depend on it.
     Fast,
 }
 

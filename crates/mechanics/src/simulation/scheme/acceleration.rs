@@ -173,7 +173,7 @@ fn forces<'s>(
     assembly: Assembly,
 ) -> Result<&'s Solve, Cause> {
     let mut slides = Slide::of_scene(scene, &assembly);
-    loop {
+    while !slides.is_empty() {
         let problem = Problem::sliding(scene, assembly.clone(), slides.clone())?;
         let solve = solving.solve(problem)?;
         if let Some(cause) = impossible(solve, scene) {
@@ -191,6 +191,7 @@ fn forces<'s>(
         // The answer belongs to a problem that was discarded.
         solving.solves.pop();
     }
+    solving.solve(Problem::acceleration(scene, assembly)?)
 }
 
 /// The proof that the problem has no solution, if it was not solved and there is one: a sliding
