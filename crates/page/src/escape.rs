@@ -1,4 +1,4 @@
-//! Escapes text for HTML and XML.
+//! Escapes text for HTML and XML, and keeps units with their numbers.
 
 /// Text with all special characters of HTML escaped.
 pub(crate) fn html(text: &str) -> String {
@@ -35,4 +35,44 @@ pub fn xml_text(text: &str) -> String {
     let is_allowed =
         |c: &char| (*c == '\n' || !c.is_control()) && !matches!(c, '\u{fffe}' | '\u{ffff}');
     html(&text.chars().filter(is_allowed).collect::<String>())
+}
+
+/// Units that stay with their number, and signs that stay with both sides.
+const UNITS: &str = "% ° m mm µm km s ms µs kg g N kN J kJ W Hz rad px kB MB GB";
+const SIGNS: [&str; 11] = ["=", "≥", "≤", "≈", ">", "<", "&gt;", "&lt;", "&#62;", "&#60;", "±"];
+
+/// Whether each word is a unit after a number or in brackets, as all of `2 N s` and `(N s)`.
+pub(crate) fn units(words: &[&str]) -> Vec<bool> {
+    let is_number = |c: char| c.is_ascii_digit() || "⁰¹²³⁴⁵⁶⁷⁸⁹∞".contains(c);
+    let is_unit = |word: &str| {
+        let word = word.trim_end_matches([',', ';', '.', ':', ')', ']']);
+        let mut parts = word.split('/').map(|part| part.trim_end_matches(['²', '³']));
+        parts.all(|part| UNITS.split(' ').any(|own| own == part))
+    };
+    let mut units = vec![false; words.len()];
+    for k in 1..words.len() {
+        let before = words[k - 1];
+        let is_after = units[k - 1]
+            || before.trim_end_matches(')').ends_with(is_number)
+            || before.strip_prefix('(').is_some_and(is_unit);
+        units[k] = is_after && is_unit(words[k]);
+    }
+    units
+}
+
+/// The text with no-break spaces between numbers and units, and around relations.
+///
+/// ```
+/// assert_eq!(lcplab_page::escape::unbroken("x = 2 N s or 5 %"), "x\u{a0}=\u{a0}2\u{a0}N\u{a0}s or 5\u{a0}%");
+/// ```
+pub fn unbroken(text: &str) -> String {
+    let is_space = |c: char| c == ' ' || c == '\n';
+    let words: Vec<&str> = text.split(is_space).collect();
+    let (units, is_sign) = (units(&words), |k: usize| SIGNS.contains(&words[k]));
+    let mut out = String::with_capacity(text.len());
+    for (k, space) in (1..).zip(text.matches(is_space)) {
+        out += words[k - 1];
+        out += if units[k] || is_sign(k - 1) || is_sign(k) { "\u{a0}" } else { space };
+    }
+    out + words.last().copied().unwrap_or_default()
 }

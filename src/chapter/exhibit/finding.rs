@@ -4,7 +4,7 @@
 use crate::document::Table;
 use crate::judge::{Demand, Verdict, judge};
 use crate::lcp::Lcp;
-use crate::plot::{Figure, Lines};
+use crate::plot::Lines;
 use crate::report::page::Picture;
 
 /// The result of an example.
@@ -89,9 +89,7 @@ impl Finding {
 
     /// Sets these curves as the figure.
     pub(crate) fn plot(mut self, lines: &Lines) -> Self {
-        let caption = lines.caption().into();
-        let (svg, narrow) = (lines.svg(), lines.narrow());
-        self.picture = Some(Picture { svg, narrow, caption, ..Picture::default() });
+        self.picture = Some(Picture::inline(lines));
         self
     }
 

@@ -10,7 +10,7 @@ use crate::diagnosis::unsupported::{
 };
 use crate::document;
 use crate::error::Result;
-use crate::plot::{Axis, Figure, Lines, Series};
+use crate::plot::{Axis, Lines, Series};
 use crate::report::page::{Block, Page, Picture, markup};
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Step};
@@ -83,22 +83,13 @@ fn pictures(
     };
     if let (Some(slowest), Some(scene)) = (&unsupported.slowest, scene) {
         let strip = pattern(scene, frame, &slowest.forces, found.place)?;
-        page.add(Block::Figure(drawn(&strip)));
+        page.add(Block::Figure(Picture::inline(&strip)));
     }
     let error_histories = error_histories(frame, user_solver);
     if !error_histories.is_empty() {
-        page.add(Block::Figure(drawn(&convergence(&error_histories))));
+        page.add(Block::Figure(Picture::inline(&convergence(&error_histories))));
     }
     Ok(())
-}
-
-fn drawn(figure: &dyn Figure) -> Picture {
-    Picture {
-        svg: figure.svg(),
-        narrow: figure.narrow(),
-        caption: figure.caption().into(),
-        ..Picture::default()
-    }
 }
 
 /// The scene as it is solved next to the exact one; bodies with an error are red.

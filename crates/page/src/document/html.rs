@@ -2,6 +2,8 @@
 
 use super::Document;
 use super::markdown::formula;
+use super::unicode::scripted;
+use crate::escape::units;
 use crate::page::markup::literal;
 use crate::page::{Block, Cell, Column, Page, Section, Table};
 use lcplab_lcp::error::Result;
@@ -15,7 +17,7 @@ pub(super) fn written(document: &Document) -> Result<String> {
     };
     let page = Page {
         title: document.title.clone(),
-        lead: joined(&document.lead),
+        lead: typeset(&document.lead),
         sections: document.sections.iter().enumerate().map(section).collect(),
         facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
         ..Page::default()
@@ -28,7 +30,7 @@ impl super::Block {
     pub fn on_page(&self) -> Block {
         match self {
             super::Block::Heading(words) => Block::Text(format!("### {}", literal(words))),
-            super::Block::Text(words) => Block::Text(joined(words)),
+            super::Block::Text(words) => Block::Text(typeset(words)),
             super::Block::Formula(own) => Block::Equation { latex: formula(own), label: None },
             super::Block::Table(own) => Block::Table(table(own)),
             super::Block::Figure(own) => Block::Figure(own.clone()),
@@ -36,13 +38,42 @@ impl super::Block {
     }
 }
 
-/// The words as markup, with no line break at a relation.
-fn joined(words: &str) -> String {
-    let relations = ["≥", "≤", "=", ">", "<"].into_iter();
-    let words = relations.fold(words.to_string(), |words, sign| {
-        words.replace(&format!(" {sign} "), &format!("\u{a0}{sign}\u{a0}"))
-    });
-    literal(&words)
+/// The words as markup, with the names of variables, such as x, wᵢ and J u⁺, as formulas.
+fn typeset(words: &str) -> String {
+    let words: Vec<&str> = words.split(' ').collect();
+    let units = units(&words);
+    let one = |(k, word): (usize, &&str)| {
+        let name = word.trim_matches(|c| "(),.;:|".contains(c));
+        let begins = k == 0 || words[k - 1].ends_with(['.', ':']);
+        let is_article = begins && *word == "A" && !matches!(words.get(k + 1), Some(&("is" | "=")));
+        match variable(name).filter(|_| !units[k] && !is_article) {
+            Some(latex) => {
+                let (before, after) = word.split_once(name).unwrap_or_default();
+                format!("{}${latex}${}", literal(before), literal(after))
+            }
+            None => literal(word),
+        }
+    };
+    words.iter().enumerate().map(one).collect::<Vec<_>>().join(" ")
+}
+
+/// The LaTeX of a letter, or of one or two with marks.
+fn variable(name: &str) -> Option<String> {
+    let (base, index) = name.split_once('_').unwrap_or((name, ""));
+    let is_mark = |c: &char| !c.is_alphabetic() || "ᵀᵢⱼₖ".contains(*c);
+    let marks = base.chars().filter(is_mark).count() + index.len();
+    let letters = base.chars().count() - base.chars().filter(is_mark).count();
+    let is_name = letters == 1 || (letters == 2 && marks > 0);
+    let is_plain = |c: char| c.is_alphanumeric() || "⁺⁻'".contains(c);
+    if !is_name
+        || !name.starts_with(char::is_alphabetic)
+        || matches!(name, "a" | "I")
+        || !name.replace('_', "").chars().all(is_plain)
+    {
+        return None;
+    }
+    let base = scripted(base);
+    Some(if index.is_empty() { base } else { format!("{base}_{{{index}}}") })
 }
 
 fn table(table: &super::Table) -> Table {

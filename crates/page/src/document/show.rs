@@ -27,9 +27,7 @@ pub trait Show {
 
 impl<F: Figure> Show for F {
     fn blocks(&self) -> Result<Vec<Block>> {
-        let (svg, narrow, caption) = (self.svg(), self.narrow(), self.words().into());
-        let picture = Picture { svg, narrow, caption, ..Picture::default() };
-        Ok(vec![Block::Figure(picture)])
+        Ok(vec![Block::Figure(Picture::inline(self))])
     }
 }
 

@@ -163,6 +163,21 @@ fn argument(rest: &str) -> (&str, &str) {
     rest.split_at(first)
 }
 
+/// LaTeX with the superscripts and subscripts of a text; the inverse of [`moved`].
+pub(super) fn scripted(text: &str) -> String {
+    let plain = |c: char, (plain, other): (&str, &str)| {
+        plain.chars().nth(other.chars().position(|own| own == c)?)
+    };
+    let one = |c: char| match (plain(c, RAISED), plain(c, LOWERED)) {
+        (Some(c), _) if c != '*' => format!("^{{{c}}}"),
+        (_, Some(c)) => format!("_{{{c}}}"),
+        _ => c.to_string(),
+    };
+    // Neighbors share a script.
+    let latex: String = text.chars().map(one).collect();
+    latex.replace("}^{", "").replace("}_{", "")
+}
+
 /// A part of a quotient or a root, in parentheses if it is a sum.
 fn grouped(latex: &str) -> String {
     let text = formula(latex);

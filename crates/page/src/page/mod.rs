@@ -19,7 +19,7 @@ use crate::figure::Figure;
 use crate::{csv, number};
 pub use origin::Origin;
 pub use player::{Chart, DrawnAnimation, Pane, Player, SPEEDS, speed};
-pub use render::base64;
+pub use render::{base64, with_bound_units};
 
 /// A page.
 ///
@@ -240,16 +240,19 @@ impl Picture {
     /// let spy = Spy::new("a", "The pattern of A", "", (2, 2), [(0, 0), (1, 1)])?;
     /// let picture = Picture::of(&spy, "figures");
     /// assert_eq!(picture.files[0].1, "figures/a.csv");
+    /// assert!(Picture::inline(&spy).files.is_empty());
     /// # Ok::<(), lcplab_lcp::error::Error>(())
     /// ```
     pub fn of(plot: &dyn Figure, directory: &str) -> Self {
         let file = |kind: &str| format!("{directory}/{}.{kind}", plot.id());
-        Picture {
-            svg: plot.svg(),
-            narrow: plot.narrow(),
-            caption: plot.words().into(),
-            files: vec![("data (CSV)".into(), file("csv")), ("picture (SVG)".into(), file("svg"))],
-        }
+        let files = vec![("data (CSV)".into(), file("csv")), ("picture (SVG)".into(), file("svg"))];
+        Picture { files, ..Picture::inline(plot) }
+    }
+
+    /// The figure of a plot without files.
+    pub fn inline(plot: &dyn Figure) -> Self {
+        let (svg, narrow, caption) = (plot.svg(), plot.narrow(), plot.words().into());
+        Picture { svg, narrow, caption, files: Vec::new() }
     }
 }
 

@@ -16,6 +16,8 @@
 
 use plotters::style::RGBColor;
 
+use crate::escape::unbroken;
+
 pub use crate::figure::WIDTH;
 
 /// Size of all text except the title in px.
@@ -151,6 +153,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("rk4", (116, 13, 23), 5, 3),
     ("active_set_of_pgs_changes", (0, 94, 170), 0, 6),
     ("exact", BLACK, 0, 0),
+    ("limits", (160, 166, 176), 0, 1),
     ("gauss_seidel_sweeps", BLUE, 0, 0),
     ("printed", VERMILION, 1, 1),
     ("corrected", BLUE, 0, 0),
@@ -333,22 +336,10 @@ pub fn width(text: &str, size: f64) -> f64 {
     size * text.chars().map(em).sum::<f64>()
 }
 
-/// Units that stay with their number.
-const UNITS: [&str; 6] = ["%", "J", "m", "s", "N", "mm"];
-
-/// The text in lines of at most this width in px; a longer word has a line of its own. A unit stays
-/// with its number, and a sign of equality with both sides.
+/// The text in lines of at most this width in px; a longer word has a line of its own.
 pub(crate) fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    let mut joined = String::new();
-    for word in text.split(' ') {
-        let is_unit = UNITS.contains(&word.trim_end_matches([',', ';', '.']));
-        let is_unit = is_unit && joined.ends_with(|c: char| c.is_ascii_digit());
-        let is_joined = is_unit || word == "=" || joined.ends_with("\u{a0}=");
-        joined += if is_joined { "\u{a0}" } else { " " };
-        joined += word;
-    }
-    for word in joined[1..].split(' ') {
+    for word in unbroken(text).split(' ') {
         match lines.last_mut() {
             Some(line) if width(line, size) + width(word, size) <= room => {
                 *line += " ";
