@@ -9,10 +9,8 @@ use crate::body::{Shape, State};
 use crate::constraint::Bodies;
 use crate::scene::Scene;
 
-/// Half of a rod's width in px.
-pub(super) const ROD: f64 = 0.8;
 /// The minimum and maximum radius of a point mass in px.
-const DOT: (f64, f64) = (1.5, 5.0);
+const DOT: (f64, f64) = (1.5, 8.0);
 
 /// A dot that marks a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +31,11 @@ pub(super) fn rods(scene: &Scene, frame: &Frame, radius: f64) -> Vec<Solid> {
 pub(super) fn dot(scene: &Scene, lens: &Lens) -> f64 {
     let shortest = shortest(scene).unwrap_or(f64::INFINITY);
     (0.25 * shortest * lens.scale).clamp(DOT.0, DOT.1)
+}
+
+/// Half of a rod's width in px.
+pub(super) fn rod(scene: &Scene, lens: &Lens) -> f64 {
+    (0.25 * dot(scene, lens)).max(0.8)
 }
 
 /// The marks at the ends of constraints; a point mass is its own mark.

@@ -54,7 +54,7 @@ pub(super) fn json(animation: &Animation) -> Value {
         "heat": (0..=HEATS).map(|k| heated(f64::from(k) / f64::from(HEATS))).collect::<Vec<_>>(),
         "plain": PLAIN,
         "mark": MARK,
-        "rod": joint::ROD,
+        "rod": joint::rod(&animation.scene, &stage.lens),
         "unit": unit,
         "turn": 1.0 / TURN,
         "bodies": bodies(&animation.scene, &stage.lens),

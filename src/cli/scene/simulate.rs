@@ -3,10 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lcplab::animation::{Animation, Frame, Recording, Strip, instants};
+use lcplab::animation::{Animation, Frame, Recording, instants};
 use lcplab::error::{Error, Result};
 use lcplab::file;
-use lcplab::plot::Figure;
 use lcplab::report::aside::{Aside, GRACE};
 use lcplab::report::recording::Record;
 use lcplab::report::view;
@@ -21,15 +20,8 @@ use crate::cli::plugin::Plugins;
 use crate::cli::{Outcome, bar, print};
 
 /// The files that are written into the folder.
-const FILES: [&str; 7] = [
-    "trajectory.csv",
-    "ledger.csv",
-    "forces.csv",
-    "results.json",
-    "final.toml",
-    "index.html",
-    "frames.svg",
-];
+const FILES: [&str; 6] =
+    ["trajectory.csv", "ledger.csv", "forces.csv", "results.json", "final.toml", "index.html"];
 /// Maximum number of steps that a duration may give.
 const MOST_STEPS: f64 = 1e9;
 
@@ -37,7 +29,7 @@ const MOST_STEPS: f64 = 1e9;
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  lcplab simulate pendulum --steps 500 --out swing --frames 8 --forces
+  lcplab simulate pendulum --steps 500 --out swing
   lcplab simulate sliding --set mu=0.3 --set angle=17   # on a slope of 17 degrees
 
 --out writes these files to a folder:
@@ -46,7 +38,6 @@ Examples:
   ledger.csv      energy and its changes, momentum, errors
   forces.csv      x and w of each row; for contacts also the bodies and the point
   results.json    the summary
-  frames.svg      pictures of some instants
   final.toml      the scene in its final state, including the changes of --set; load it to continue
 
 Exit codes:
@@ -68,12 +59,6 @@ pub struct Simulate {
     /// Write every Nth step to the tables
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
-    /// Number of instants in frames.svg
-    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u64).range(2..=60))]
-    frames: u64,
-    /// Draw contacts, contact forces and constraint forces in frames.svg
-    #[arg(long, requires = "out")]
-    forces: bool,
     /// Print the forces of the last step for each pair of bodies and for each contact, and mark
     /// the unique ones
     #[arg(long)]
@@ -98,10 +83,11 @@ impl Simulate {
             record = record.with_tables(&simulation, self.every as usize);
         }
         let mut camera = Camera {
-            samples: self.instants(steps, Animation::samples_each(1)),
-            instants: self.instants(steps, self.frames as usize),
+            samples: match self.out {
+                Some(_) => instants(steps, Animation::samples_each(1)),
+                None => Vec::new(),
+            },
             recording: Recording::start(scene.solver.name.clone(), &simulation),
-            frames: vec![Frame::start(&scene)],
             last: Frame::start(&scene),
             step: None,
         };
@@ -109,7 +95,7 @@ impl Simulate {
         limits.over();
         if let Some(failure) = &failure {
             record.end(failure);
-            camera.end(failure);
+            camera.recording.end(Some(failure));
         }
         let loads = self.loads.then(|| loads::of_step(&scene, camera.step.take().as_ref()));
         let written = self.write(&scene, &record, camera, loads.as_ref());
@@ -207,29 +193,15 @@ impl Simulate {
             record,
         );
         page.sections.extend(loads.map(loads::page_section));
-        file::write_in(folder, "index.html", &page.render()?)?;
-        let strip = Strip::new(scene, camera.frames);
-        let strip = if self.forces { strip.with_forces() } else { strip };
-        file::write_in(folder, "frames.svg", strip.svg())
-    }
-
-    /// The steps to draw; empty if no picture is requested.
-    fn instants(&self, steps: usize, frames: usize) -> Vec<usize> {
-        match self.out {
-            Some(_) => instants(steps, frames),
-            None => Vec::new(),
-        }
+        file::write_in(folder, "index.html", &page.render()?)
     }
 }
 
-/// The instants for the animation and for the strip of frames.
+/// The instants for the animation.
 struct Camera {
-    /// The steps that the animation shows.
+    /// The steps that it shows; empty if no page is requested.
     samples: Vec<usize>,
-    /// The steps that the strip shows.
-    instants: Vec<usize>,
     recording: Recording,
-    frames: Vec<Frame>,
     /// The last instant, without forces.
     last: Frame,
     /// The last step, if its forces are printed.
@@ -241,15 +213,7 @@ impl Camera {
         if self.samples.binary_search(&step.number).is_ok() {
             self.recording.add(scene, step);
         }
-        if self.instants.binary_search(&step.number).is_ok() {
-            self.frames.push(Frame::after(scene, step));
-        }
         self.last.time = step.motion.time;
         self.last.states.clone_from(&step.states);
-    }
-
-    fn end(&mut self, why: &Failure) {
-        self.recording.end(Some(why));
-        self.frames.push(self.last.clone());
     }
 }

@@ -51,6 +51,8 @@ pub struct Record {
     worst_penetration: f64,
     /// The largest kinetic energy (J).
     most_kinetic: f64,
+    /// The least and the largest change of the energy since the start (J).
+    energy_changes: [f64; 2],
     /// Whether bodies touched.
     touched: bool,
     /// The step with the smallest supported fraction of the weight, and that fraction.
@@ -92,6 +94,7 @@ impl Record {
             worst_angular_drift: 0.0,
             worst_penetration: 0.0,
             most_kinetic: 0.0,
+            energy_changes: [0.0; 2],
             touched: false,
             least_carried: None,
             laws: LawErrors::default(),
@@ -305,6 +308,9 @@ impl Record {
         self.worst_angular_drift = self.worst_angular_drift.max(motion.angular_drift);
         self.worst_penetration = self.worst_penetration.max(motion.penetration);
         self.most_kinetic = self.most_kinetic.max(motion.kinetic);
+        let change = motion.energy() - self.first.energy();
+        self.energy_changes =
+            [self.energy_changes[0].min(change), self.energy_changes[1].max(change)];
         self.last = motion.clone();
     }
 }

@@ -111,19 +111,20 @@ impl Record {
         }
     }
 
-    /// The change of the energy, without a full stop.
-    pub(crate) fn energy_in_words(&self) -> String {
-        let end = self.last.energy() - self.first.energy();
+    /// The range of the energy, without a full stop.
+    fn energy_in_words(&self) -> String {
         let scale = self.first.energy().abs().max(self.last.energy().abs()).max(self.most_kinetic);
-        match end.abs() > ROUNDING * scale {
-            true if self.most_kinetic > 0.0 => format!(
-                "the energy changes by {} J ({} % of the largest kinetic energy)",
-                readable(end, 3),
-                readable(100.0 * end.abs() / self.most_kinetic, 2)
-            ),
-            true => format!("the energy changes by {} J", readable(end, 3)),
-            false => "the energy stays the same".into(),
+        let [least, most] = self.energy_changes;
+        if most - least <= ROUNDING * scale {
+            return "the energy stays the same".into();
         }
+        let [low, high] = [least, most].map(|change| readable(change, 2));
+        let part = readable(100.0 * (most - least) / self.most_kinetic, 2);
+        let part = match self.most_kinetic > 0.0 {
+            true => format!(" ({part} % of the largest kinetic energy)"),
+            false => String::new(),
+        };
+        format!("the energy changes by {low} to {high} J{part}")
     }
 
     /// The totals of a page: without those of contacts if there were none, without the ledger, and
@@ -149,12 +150,20 @@ impl Record {
         self.energy_totals.as_ref().map_or_else(String::new, EnergyTotals::balance)
     }
 
-    /// The number and the length of the steps, the scheme and the solver.
+    /// The number and the length of the steps, the scheme and the solver, and the cause of errors.
     pub(crate) fn run(&self) -> String {
         let solver = self.solver().map_or_else(String::new, |solver| format!(", solver {solver}"));
         let step = &self.scene.step;
         let steps = counted(self.steps, "step");
-        format!("{steps} of {} s, scheme {}{solver}", readable(step.dt, 3), step.scheme.name())
+        let run =
+            format!("{steps} of {} s, scheme {}{solver}", readable(step.dt, 3), step.scheme.name());
+        let [accepted, solves] = self.verdicts();
+        match accepted == solves {
+            true => {
+                format!("{run}. Errors of the motion are those of the scheme and its step length.")
+            }
+            false => format!("{run}. Errors of the motion may be the solver's."),
+        }
     }
 
     /// What needs attention: notes, warnings, a rejected answer, and why the run ended early.

@@ -63,7 +63,7 @@ impl View for Plan {
 /// The page of one simulation: its animation and its totals; its tables are next to it.
 pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     let scene = animation.scene.clone();
-    let lead = format!("{}.", markup::literal(&record.run()));
+    let lead = markup::literal(&record.run());
     let page = Page { title: scene.title.clone(), lead, ..Page::default() };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     let mut animation = animation.drawn();

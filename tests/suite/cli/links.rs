@@ -56,15 +56,7 @@ const WRITERS: &[Writer] = &[
     },
     writer(
         &["simulate", "fig6", "--steps", "2", "--out", "out"],
-        &[
-            "final.toml",
-            "forces.csv",
-            "frames.svg",
-            "index.html",
-            "ledger.csv",
-            "results.json",
-            "trajectory.csv",
-        ],
+        &["final.toml", "forces.csv", "index.html", "ledger.csv", "results.json", "trajectory.csv"],
     ),
     writer(
         &["compare", "fig6", "--steps", "2", "--solver", "dantzig", "--out", "out"],
@@ -256,7 +248,7 @@ fn a_folder_or_file_that_the_user_names_may_be_a_link() {
 fn a_link_is_refused_before_the_work() {
     let workspace = Workspace::new();
     fs::create_dir(workspace.path("out")).unwrap();
-    symlink(workspace.path("home/keys"), workspace.path("out/frames.svg")).unwrap();
+    symlink(workspace.path("home/keys"), workspace.path("out/index.html")).unwrap();
     let endless = ["simulate", "fig6", "--steps", "1000000000", "--time-limit", "60"];
     let output = workspace.run(&[&endless[..], &["--out", "out"]].concat());
     assert_eq!(output.status.code(), Some(2), "{}", err(&output));

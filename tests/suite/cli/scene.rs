@@ -64,19 +64,6 @@ fn simulate_records_every_step_and_body() {
 }
 
 #[test]
-fn simulate_draws_the_given_number_of_instants() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().to_str().unwrap();
-    for (frames, shown) in [(None, 6), (Some("3"), 3), (Some("60"), 11)] {
-        let mut arguments = vec!["simulate", "pendulum", "--steps", "10", "--out", path, "--json"];
-        arguments.extend(frames.iter().flat_map(|frames| ["--frames", frames]));
-        assert_eq!(run(&arguments).status.code(), Some(0));
-        let svg = std::fs::read_to_string(folder.path().join("frames.svg")).unwrap();
-        assert_eq!(svg.matches("class=\"instant\"").count(), shown); // the start and 10 steps
-    }
-}
-
-#[test]
 fn compare_shows_the_given_solvers_side_by_side() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().to_str().unwrap();

@@ -112,7 +112,7 @@ fn an_interrupted_simulation_writes_what_it_recorded() {
         let ledger = fs::read_to_string(folder.path().join("ledger.csv")).unwrap();
         let steps = summary["steps"].as_u64().unwrap() as usize;
         assert_eq!(ledger.lines().count(), steps + 2); // heading, start
-        for file in ["trajectory.csv", "forces.csv", "results.json", "index.html", "frames.svg"] {
+        for file in ["trajectory.csv", "forces.csv", "results.json", "index.html"] {
             assert!(folder.path().join(file).is_file(), "{file}");
         }
         assert_tidy(folder.path());
