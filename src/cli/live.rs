@@ -57,7 +57,8 @@ impl Live {
     fn write(&self, page: &Page) -> Result<PathBuf> {
         let folder = folder_of(self.out.as_deref(), "reports", "live")?;
         let file = format!("{}.html", page.name);
-        file::write_in(&folder, &file, page.text())?;
+        let text = if self.all { page.text_in_folder() } else { page.text() };
+        file::write_in(&folder, &file, text)?;
         let path = folder.join(file);
         print(&format!("{}\n", path.display()))?;
         Ok(path)

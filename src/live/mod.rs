@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 
 use crate::error::Result;
 use crate::file;
-use crate::page::{Live, base64};
+use crate::page::{Live, base64, with_bound_units};
 
 /// The solvers and the judge as a WebAssembly module, deflated.
 const MODULE: &[u8] = include_bytes!("module.wasm.deflate");
@@ -83,6 +83,26 @@ impl Page {
         self.around(&MODULE_TEXT)
     }
 
+    /// The same in a folder with all pages, to which it links.
+    ///
+    /// ```
+    /// let page = lcplab::live::PAGES[0];
+    /// assert!(page.text_in_folder().contains("<a href=\"stack.html\">A stack</a>"));
+    /// assert!(!page.text().contains("stack.html"));
+    /// ```
+    pub fn text_in_folder(&self) -> String {
+        let link = |page: &Page| match page.name == self.name {
+            true => format!("<b aria-current=\"page\">{}</b>", page.title),
+            false => format!("<a href=\"{}.html\">{}</a>", page.name, page.title),
+        };
+        let links = PAGES.iter().map(link).collect::<Vec<_>>().join(" ");
+        self.text().replacen(
+            "<h1>",
+            &format!("<nav aria-label=\"Live pages\">{links}</nav>\n<h1>"),
+            1,
+        )
+    }
+
     /// The content of the file with another deflated module.
     pub fn text_with(&self, module: &[u8]) -> String {
         self.around(&base64(module))
@@ -93,7 +113,7 @@ impl Page {
         FRAME
             .replace("@title@", &format!("{} · lcplab", self.title))
             .replace("@style@", STYLE)
-            .replace("@body@", self.body)
+            .replace("@body@", &with_bound_units(self.body))
             .replace("@hash@", &base64(&Sha256::digest(&script)))
             .replace("@script@", &script)
             .replace("@module@", module)

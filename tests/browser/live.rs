@@ -151,7 +151,7 @@ fn a_problem_is_solved_derived_judged_and_proved_on_its_page() {
         find('#prove').click(); const unique = find('#proof').textContent;
         find('#x').value = '[4, 3, 2]'; find('#x').dispatchEvent(new Event('change')); const rejected = find('#judge').textContent;
         set('#example', 'no solution'); find('#prove').click();
-        return [...first, unique, rejected, find('#says').textContent, find('#proof').textContent, all('#lines pre').length];";
+        return [...first, unique, rejected, find('#says').textContent, find('#proof').textContent, all('#lines :is(pre, math)').length];";
     let found = page("problem").seen(1280, &format!("{READY}{script}"));
     let output = |k: usize| found[k].as_str().unwrap();
     assert_eq!(output(1), "[4,3,1]");

@@ -75,7 +75,7 @@ function drawRows() {
   if (solved.error) { find("#rows").innerHTML = ""; return; }
   const { x, w, event } = solved.steps[state.step];
   const label = (i) => String(problem.rows?.[i]?.label ?? i).replace(/[<>&"]/g, " ");
-  const rows = x.map((v, i) => svg("tr", {}, svg("th", {}, label(i)) + svg("td", {}, short(v, 6)) + svg("td", {}, short(w[i], 6))));
+  const rows = x.map((v, i) => svg("tr", {}, svg("th", { scope: "row" }, label(i)) + svg("td", {}, short(v, 6)) + svg("td", {}, short(w[i], 6))));
   find("#rows").innerHTML = svg("caption", {}, event) + svg("tr", {}, "<th>row</th><th>x</th><th>w</th>") + rows.join("");
 }
 
@@ -85,18 +85,36 @@ function drawSays() {
   find("#says").className = `says ${error || answer.verdict === "not_a_solution" ? "bad" : answer.verdict === "proved" ? "good" : "caution"}`;
 }
 
+// A paragraph wraps; tables, which are indented, do not.
+function paragraph(text) {
+  const isProse = /^\n*\S/.test(text), textContent = isProse ? text.replace(/\s+/g, " ") : text;
+  return Object.assign(document.createElement(isProse ? "p" : "pre"), isProse ? { textContent } : { textContent, tabIndex: 0 });
+}
+// A formula whose matrices have brackets of several lines, as MathML. All of them cross the middle line.
+function typeset(text) {
+  const lines = text.replace(/^\n+|\n+$/g, "").split("\n"), middle = lines[(lines.length - 1) >> 1];
+  const word = (text) => svg(/^[\d.,−×∞⁰¹²³⁴-⁹⁻/]+$/.test(text) ? "mn" : /^[=+−≤≥<>·∓±]+$/.test(text) ? "mo" : "mi", {}, text.replace(/&/g, "&amp;").replace(/</g, "&lt;"));
+  const words = (text) => text.split(" ").filter(Boolean).map(word).join("");
+  let out = "", end = 0;
+  for (const { 0: own, index } of middle.matchAll(/[[⎡⎢⎣][^\]⎤⎥⎦]*[\]⎤⎥⎦]/g)) {
+    const rows = lines.filter((line) => "[⎡⎢⎣".includes(line[index] ?? " ")).map((line) => line.slice(index + 1, index + own.length - 1).trim().split(/ {2,}/));
+    if (rows.some((row) => row.length !== rows[0].length)) return paragraph(text);
+    const cells = rows.map((row) => svg("mtr", {}, row.map((cell) => svg("mtd", {}, word(cell))).join("")));
+    out += `${words(middle.slice(end, index))}${svg("mtable", {}, cells.join(""))}`;
+    end = index + own.length;
+  }
+  return Object.assign(document.createElement("div"), { className: "wide", tabIndex: 0, innerHTML: `<math>${out}${words(middle.slice(end))}</math>` });
+}
+
 function drawDerivation() {
   const sections = solved.derivation ?? [], all = sections.flatMap(({ title, blocks }) => blocks.map((text, k) => ({ title: k === 0 ? title : "", text })));
   find("#derivation").hidden = all.length === 0;
   const first = sections[0]?.blocks.length ?? 1; // what is to be solved
   state.lines = Math.max(first, Math.min(state.lines, all.length));
-  const lines = find("#lines");
-  lines.replaceChildren(...all.slice(0, state.lines).flatMap(({ title, text }) => {
-    // A paragraph wraps; formulas and tables, which are indented, do not.
-    const isProse = /^\n*\S/.test(text), own = document.createElement(isProse ? "p" : "pre"), head = document.createElement("h2");
-    [own.textContent, head.textContent] = [isProse ? text.replace(/\s+/g, " ") : text, title];
-    if (!isProse) own.tabIndex = 0;
-    return title ? [head, own] : [own];
+  find("#lines").replaceChildren(...all.flatMap(({ title, text }, k) => {
+    const own = /^\n* {4}/.test(text) ? typeset(text) : paragraph(text), shown = title ? [Object.assign(document.createElement("h2"), { textContent: title }), own] : [own];
+    if (k >= state.lines) shown.forEach((node) => node.classList.add("later")); // printed, but not shown yet
+    return shown;
   }));
   find("#less").disabled = state.lines === first;
   find("#more").disabled = find("#whole").disabled = state.lines >= all.length;
