@@ -4,7 +4,8 @@ use dashu_ratio::RBig;
 use lcplab::lcp::file::Problem;
 use lcplab::lcp::{Lcp, Question};
 use lcplab::number::readable;
-use lcplab::page::{self, Block, Cell, Page, Section, Table};
+use lcplab::page::{self, Block, Cell, Page, Picture, Section, Table};
+use lcplab::plot::{Axis, Lines, Series};
 use lcplab::proof::{Claim, Entry, Kind, Proof, Reason, Tree, Vector};
 
 /// Maximum number of rows of a table; the proof file has all of them.
@@ -30,9 +31,9 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
         ..Section::default()
     };
     let mut sections = vec![section("proof", "Check the proof", vec![claim])];
-    let numbers = numbers(problem, &proof.claim);
+    let (opening, numbers) = numbers(problem, &proof.claim);
     if !numbers.is_empty() {
-        sections.insert(0, section("numbers", "What the proof consists of", numbers));
+        sections.push(section("numbers", "What the proof consists of", numbers));
     }
     // Of several solutions, nothing stronger can be true.
     let is_strongest = matches!(proof.claim, Claim::NotUnique { .. });
@@ -50,9 +51,9 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
         Claim::NotUnique { x, y }
             if problem.lcp.matrix().is_symmetric()
                 && unit(problem).is_some()
-                && agree_in_w(problem, x, y) =>
+                && agree_in_w(problem, &values(&problem.lcp, x), &values(&problem.lcp, y)) =>
         {
-            " The contacts can share the forces in more than one way; w is the same in both, up to rounding, so the bodies move alike."
+            " The contacts can share the forces in more than one way; $w$ is the same in both, up to rounding, so the bodies move alike."
         }
         _ => "",
     };
@@ -62,95 +63,127 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
             "**Proved: {sentence}.**{meaning} This is the strongest statement that lcplab proves about this \
              complementarity problem of {rows} rows.",
         ),
+        opening: opening.map(Block::Figure).into_iter().collect(),
         sections,
         ..Page::default()
     }
 }
 
-/// Why the claim holds, in words and numbers.
-fn numbers(problem: &Problem, claim: &Claim) -> Vec<Block> {
+/// Why the claim holds: a picture, and words and numbers.
+fn numbers(problem: &Problem, claim: &Claim) -> (Option<Picture>, Vec<Block>) {
     let solutions = |points: &[&Vector], why: &str| {
-        vec![Block::Text(why.into()), Block::Table(points_table(problem, points))]
+        let points: Vec<_> = points.iter().map(|point| values(&problem.lcp, point)).collect();
+        let shown = shown(&points);
+        let table = Block::Table(points_table(problem, &points, &shown));
+        (Some(drawing(problem, &points, &shown)), vec![Block::Text(why.into()), table])
     };
     match claim {
         Claim::Solution { x, .. } => solutions(
             &[x],
-            "In each row x is at its lower bound and w ≥ 0, at its upper bound and w ≤ 0, or between \
-             them and w = 0. The numbers are exact.",
+            "In each row $x$ is at its lower bound and $w \\ge 0$, at its upper bound and $w \\le 0$, or between \
+             them and $w = 0$. The numbers are exact.",
         ),
         Claim::Unique { x, by: Reason::Definite } => solutions(
             &[x],
-            "If x and y were two solutions, (x − y)ᵀ A (x − y) would not be positive. But A + Aᵀ is \
+            "If $x$ and $y$ were two solutions, $(x - y)^T A\\, (x - y)$ would not be positive. But $A + A^T$ is \
              positive definite: all pivots of its elimination in exact arithmetic are positive.",
         ),
         Claim::Unique { x, by: Reason::PMatrix } => solutions(
             &[x],
-            "All principal minors of A are positive, so the problem has exactly one solution for every b.",
+            "All principal minors of $A$ are positive, so the problem has exactly one solution for every $b$.",
         ),
         Claim::NotUnique { x, y } => {
-            solutions(&[x, y], "Both x and y satisfy the conditions of every row in exact arithmetic.")
+            solutions(&[x, y], "Both $x$ and $y$ satisfy the conditions of every row in exact arithmetic.")
         }
-        Claim::NoSolution { tree: Tree::Leaf(d) } => vec![
+        Claim::NoSolution { tree: Tree::Leaf(d) } => (None, vec![
             Block::Text(
-                "Multiply each row by its d and add: the sum Σ d w is negative for every x within the bounds. \
-                 But d is positive only where w ≥ 0 is required and negative only where w ≤ 0 is \
+                "Multiply each row by its $d$ and add: the sum $d^T w$ is negative for every $x$ within the bounds. \
+                 But $d$ is positive only where $w \\ge 0$ is required and negative only where $w \\le 0$ is \
                  required, so for a solution the sum would not be negative."
                     .into(),
             ),
             Block::Table(vector_table(problem, d)),
-        ],
-        Claim::NoSolution { tree } => vec![Block::Text(format!(
+        ]),
+        Claim::NoSolution { tree } => (None, vec![Block::Text(format!(
             "Each row of a solution is at its lower bound, at its upper bound or free. The proof \
              distinguishes these cases row by row, and a vector as in a proof by one Farkas vector \
              excludes each of the {} cases.",
             tree.leaves()
-        ))],
+        ))]),
         Claim::ConeSolution { .. }
         | Claim::BodySolution { .. }
         | Claim::Motion(_)
         | Claim::FrozenMotion(_)
-        | Claim::Within { .. } => Vec::new(),
+        | Claim::Within { .. } => (None, Vec::new()),
     }
 }
 
-/// The rows in which two points differ by more than rounding.
-fn seen(x: &[RBig], y: &[RBig]) -> Vec<usize> {
-    let size = |value: &RBig| value.to_f64().value().abs();
-    let largest = x.iter().chain(y).map(size).fold(0.0, f64::max);
-    (0..x.len()).filter(|&i| size(&(&x[i] - &y[i])) > AGREES * largest).collect()
+/// The rows in which two points differ by more than rounding, if there are any; otherwise all.
+fn shown(points: &[Vec<RBig>]) -> Vec<usize> {
+    let largest = points.iter().flatten().map(|x| float(x).abs()).fold(0.0, f64::max);
+    let differs = |&i: &usize| match points {
+        [x, y] => float(&(&x[i] - &y[i])).abs() > AGREES * largest,
+        _ => false,
+    };
+    let rows: Vec<usize> = (0..points[0].len()).filter(differs).collect();
+    if rows.is_empty() { (0..points[0].len()).collect() } else { rows }
+}
+
+fn float(value: &RBig) -> f64 {
+    value.to_f64().value()
+}
+
+/// The points within their bounds, row by row.
+fn drawing(problem: &Problem, points: &[Vec<RBig>], shown: &[usize]) -> Picture {
+    let shown = &shown[..shown.len().min(SHOWN)];
+    let floats: Vec<Vec<f64>> = points.iter().map(|x| x.iter().map(float).collect()).collect();
+    let unit = unit(problem).unwrap_or_default();
+    let bounds = |i: usize| <[f64; 2]>::from(problem.lcp.bounds(i, &floats[0]));
+    let ends = |&i: &usize| bounds(i).into_iter().chain([f64::NAN]).map(move |y| (i as f64, y));
+    let limits = Series::measured("limits", shown.iter().flat_map(ends).collect());
+    let placed = |x: &Vec<f64>| shown.iter().map(|&i| (i as f64, x[i])).collect();
+    let points = ["x", "y"].iter().zip(&floats).map(|(name, x)| Series::points(*name, placed(x)));
+    let series = [limits].into_iter().chain(points).collect();
+    let (title, name) = match &floats[..] {
+        [x, y] => {
+            let apart = |i: &usize| (x[*i] - y[*i]).abs();
+            let row = shown.iter().max_by(|i, k| apart(i).total_cmp(&apart(k))).unwrap_or(&0);
+            let (most, row) = (readable(apart(row), 3), label(problem, *row));
+            (
+                format!("Within their limits, x and y differ by up to {most} {unit} (row {row})"),
+                "x, y",
+            )
+        }
+        _ => {
+            let at_bound = shown.iter().filter(|i| bounds(**i).contains(&floats[0][**i])).count();
+            (format!("x is at a bound in {at_bound} of {} rows", shown.len()), "x")
+        }
+    };
+    let caption =
+        "A gray line connects the lower and the upper limit of a row, if both are finite.";
+    let axes = (Axis::linear("row", ""), Axis::linear(name, unit));
+    Picture::inline(&Lines::new("solutions", title, caption, axes.0, axes.1, series))
 }
 
 /// The sizes of entries of x and of w that are not rounding.
 fn sizes(lcp: &Lcp, points: &[Vec<RBig>]) -> [f64; 2] {
-    let of_x = points.iter().flatten().map(|x| x.to_f64().value().abs()).fold(0.0, f64::max);
+    let of_x = points.iter().flatten().map(|x| float(x).abs()).fold(0.0, f64::max);
     [of_x, lcp.b().iter().fold(0.0, |most: f64, b| most.max(b.abs()))]
 }
 
 /// Whether two solutions have the same w, up to rounding. If A = J M⁻¹Jᵀ, they then have the same
 /// motion.
-fn agree_in_w(problem: &Problem, x: &Vector, y: &Vector) -> bool {
+fn agree_in_w(problem: &Problem, x: &[RBig], y: &[RBig]) -> bool {
     let lcp = &problem.lcp;
-    let points = [values(lcp, x), values(lcp, y)];
-    let [_, size] = sizes(lcp, &points);
-    let apart = |i| (w(lcp, &points[0], i) - w(lcp, &points[1], i)).to_f64().value().abs();
+    let size = lcp.b().iter().fold(0.0, |most: f64, b| most.max(b.abs()));
+    let apart = |i| float(&(w(lcp, x, i) - w(lcp, y, i))).abs();
     (0..lcp.len()).all(|i| apart(i) <= AGREES * size)
 }
 
-/// The largest magnitudes that friction allows in these rows, if all are friction rows whose normal
-/// rows are not among them.
-fn friction_limits(lcp: &Lcp, x: &[RBig], rows: &[usize]) -> Option<Vec<RBig>> {
-    let limit = |&i: &usize| {
-        let (normal, mu) = lcp.coupled_to(i)?;
-        (!rows.contains(&normal)).then(|| exact(mu) * &x[normal])
-    };
-    rows.iter().map(limit).collect()
-}
-
-fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
+fn points_table(problem: &Problem, points: &[Vec<RBig>], shown: &[usize]) -> Table {
     let lcp = &problem.lcp;
     let is_same_w = matches!(points, [x, y] if agree_in_w(problem, x, y));
-    let points: Vec<Vec<RBig>> = points.iter().map(|point| values(lcp, point)).collect();
-    let [size, size_of_w] = sizes(lcp, &points);
+    let [size, size_of_w] = sizes(lcp, points);
     let unit = unit(problem);
     let in_unit = |unit: Option<&str>| unit.map_or(String::new(), |unit| format!(" ({unit})"));
     let [of_x, of_w] = [in_unit(unit), in_unit(unit.and_then(unit_of_w))];
@@ -159,29 +192,23 @@ fn points_table(problem: &Problem, points: &[&Vector]) -> Table {
         headings += &format!(" | #{name}{of_x}");
         headings += &if is_same_w { String::new() } else { format!(" | #w at {name}{of_w}") };
     }
-    // Of two solutions, only the rows that differ are compared, if that can be seen.
-    let shown: Vec<usize> = match &points[..] {
-        [x, y] => seen(x, y),
-        _ => Vec::new(),
-    };
-    let shown = if shown.is_empty() { (0..lcp.len()).collect() } else { shown };
-    let limits = friction_limits(lcp, &points[0], &shown).filter(|_| points.len() > 1);
-    if limits.is_some() {
+    // Of friction rows only, whose normal rows are the same in both.
+    let limit = |i: usize| lcp.coupled_to(i).filter(|(normal, _)| !shown.contains(normal));
+    let is_limited = points.len() > 1 && shown.iter().all(|i| limit(*i).is_some());
+    if is_limited {
         headings += &format!(" | #limit{of_x}");
     }
-    let rows = shown.iter().take(SHOWN).enumerate().map(|(row, &i)| {
+    let rows = shown.iter().take(SHOWN).map(|&i| {
         let of = |x: &Vec<RBig>| {
             let w = (!is_same_w).then(|| decimal(&w(lcp, x, i), size_of_w));
             [Some(decimal(&x[i], size)), w].into_iter().flatten().map(Cell::text)
         };
         let label = Cell::text(label(problem, i));
-        let limit = limits.as_ref().map(|limits| Cell::text(decimal(&limits[row], size)));
+        let limit = limit(i).filter(|_| is_limited);
+        let limit = limit.map(|(k, mu)| Cell::text(decimal(&(exact(mu) * &points[0][k]), size)));
         [label].into_iter().chain(points.iter().flat_map(of)).chain(limit).collect()
     });
-    let note = match limits {
-        Some(_) => "t1, t2: friction. limit: ±μ times the normal x. ",
-        None => "",
-    };
+    let note = if is_limited { "t1, t2: friction. limit: ±μ times the normal x. " } else { "" };
     let title = match points.len() {
         1 => "The solution",
         _ if shown.len() < lcp.len() => "Two solutions, in the rows in which they differ",
@@ -289,11 +316,11 @@ fn exact(value: f64) -> RBig {
 
 /// The number, or that it is rounding for numbers of this size.
 fn decimal(value: &RBig, size: f64) -> String {
-    let is_rounding = (0.0..=AGREES * size).contains(&value.to_f64().value().abs());
+    let is_rounding = (0.0..=AGREES * size).contains(&float(value).abs());
     if is_rounding && *value != RBig::ZERO { "≈ 0".into() } else { fraction(value) }
 }
 
 fn fraction(value: &RBig) -> String {
     let text = value.to_string();
-    if text.len() > LONGEST { readable(value.to_f64().value(), 4) } else { text }
+    if text.len() > LONGEST { readable(float(value), 4) } else { text }
 }
