@@ -9,6 +9,7 @@ use super::colors::FORCES;
 use super::frame::{Force, Frame, Origin};
 use super::ink::tenth;
 use super::layout::Lens;
+use crate::number::readable;
 use crate::plot::canvas::hex;
 
 /// The head of an arrow in px: length and half of its width.
@@ -20,7 +21,8 @@ const LONGEST: (f64, f64) = (52.0, 0.35);
 
 impl Origin {
     /// All origins, in the order of legends.
-    pub const ALL: [Origin; 3] = [Origin::Normal, Origin::Friction, Origin::Constraint];
+    pub const ALL: [Origin; 5] =
+        [Origin::Normal, Origin::Friction, Origin::Constraint, Origin::Impulse, Origin::Velocity];
 
     /// The word in legends.
     pub(crate) fn name(self) -> &'static str {
@@ -28,6 +30,17 @@ impl Origin {
             Origin::Normal => "normal",
             Origin::Friction => "friction",
             Origin::Constraint => "constraint",
+            Origin::Impulse => "impulse",
+            Origin::Velocity => "velocity",
+        }
+    }
+
+    /// The unit of its arrows.
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            Origin::Impulse => "N s",
+            Origin::Velocity => "m/s",
+            _ => "N",
         }
     }
 
@@ -36,10 +49,29 @@ impl Origin {
     }
 }
 
-/// The largest force of all frames (N), 0 if there is none.
-pub(super) fn largest(frames: &[Frame]) -> f64 {
+impl Frame {
+    /// The largest arrow in words, if there is one.
+    pub fn largest(&self) -> Option<String> {
+        let size = |force: &Force| force.force.norm();
+        let largest = self.forces.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        Some(format!("at most {} {}", readable(size(largest), 3), largest.origin.unit()))
+    }
+}
+
+/// The largest arrow of all frames with this unit, 0 if there is none.
+pub(super) fn largest(frames: &[Frame], unit: &str) -> f64 {
     let forces = frames.iter().flat_map(|frame| &frame.forces);
-    forces.map(|force| force.force.norm()).filter(|f| f.is_finite()).fold(0.0, f64::max)
+    let own = forces.filter(|force| force.origin.unit() == unit).map(|force| force.force.norm());
+    own.filter(|f| f.is_finite()).fold(0.0, f64::max)
+}
+
+/// Divides the arrows of each unit by the largest one, so that they share a scale; returns the
+/// largest one for each origin.
+pub(super) fn normalize(frames: &mut [Frame]) -> [f64; Origin::ALL.len()] {
+    let most = Origin::ALL.map(|origin| largest(frames, origin.unit()));
+    let forces = frames.iter_mut().flat_map(|frame| &mut frame.forces);
+    forces.for_each(|force| force.force /= most[force.origin as usize]);
+    most
 }
 
 /// The length of a newton in px, for this largest force.

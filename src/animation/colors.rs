@@ -37,5 +37,7 @@ pub(super) fn body_color(index: usize) -> Rgb {
     BODIES[index % BODIES.len()]
 }
 
-/// Forces in pictures of scenes: normal, friction, of other constraints.
-pub(super) const FORCES: [Rgb; 3] = [(0, 76, 140), (190, 50, 0), (130, 40, 110)];
+/// Arrows in pictures of scenes: normal forces, friction, of other constraints, impulses,
+/// velocities.
+pub(super) const FORCES: [Rgb; 5] =
+    [(0, 76, 140), (190, 50, 0), (130, 40, 110), (130, 70, 0), (0, 90, 60)];

@@ -22,10 +22,14 @@ use crate::simulation::{Simulation, Solve, Step};
 /// let start = Frame::now(&simulation);
 /// assert_eq!((start.time, start.forces.len()), (0.0, 0));
 /// let step = simulation.step().expect("a step that can be taken");
-/// let after = Frame::after(&scene, &step).heated(vec![0.0, 0.0, 1.0, 0.0]); // one ball red
+/// let after = Frame::after(&scene, &step);
 /// assert_eq!((after.time, after.forces.len()), (1.0, 3));
+/// assert_eq!(start.clone().with_velocities(&scene).forces.len(), 1); // of the ball that moves
+/// assert_eq!(Frame::solved(&scene, &step), std::slice::from_ref(&after)); // one LCP
+/// assert_eq!(after.largest().as_deref(), Some("at most 4 N"));
 /// // Balls above each other stay in the plane of the front view.
-/// assert_eq!(View::of(&scene, &[start, after]), View::Front);
+/// let red = after.heated(vec![0.0, 0.0, 1.0, 0.0]); // one ball
+/// assert_eq!(View::of(&scene, &[start, red]), View::Front);
 /// # Ok::<(), lcplab::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -46,7 +50,7 @@ pub struct Frame {
 pub struct Force {
     /// Where it acts (m, world).
     pub point: Vector3<f64>,
-    /// The force (N, world).
+    /// The force (N, world), or what its origin says.
     pub force: Vector3<f64>,
     /// What exerts it.
     pub origin: Origin,
@@ -61,6 +65,10 @@ pub enum Origin {
     Friction,
     /// Any other constraint.
     Constraint,
+    /// The impulses of an impact (N s).
+    Impulse,
+    /// No force: the velocity of a body (m/s).
+    Velocity,
 }
 
 impl Frame {
@@ -78,9 +86,35 @@ impl Frame {
     /// The end of a step, with the forces of the step's last solve; an impulse is shown as the
     /// constant force over the step.
     pub fn after(scene: &Scene, step: &Step) -> Self {
-        let time = step.motion.time;
-        let (states, forces) = (step.states.clone(), forces(scene, step));
-        Frame { time, states, forces, heat: Vec::new() }
+        Frame::solved(scene, step).pop().unwrap_or_default()
+    }
+
+    /// The end of a step with the forces of each of its solves; impulses before forces remain
+    /// impulses.
+    pub fn solved(scene: &Scene, step: &Step) -> Vec<Self> {
+        let (time, states) = (step.motion.time, step.states.clone());
+        let end = Frame { time, states, ..Frame::default() };
+        let posed = step.posed(scene).unwrap_or_default();
+        let unit = |solve: &Solve| solve.problem.stage.unit(false);
+        let has_arrows =
+            |solve: &&Solve| ["N", "N s"].contains(&unit(solve)) && !solve.problem.lcp.is_empty();
+        let solves: Vec<&Solve> = posed.iter().filter(has_arrows).collect();
+        let has_forces = solves.last().is_some_and(|last| unit(last) == "N");
+        let all = solves
+            .iter()
+            .map(|solve| Frame { forces: forces(scene, step, solve, has_forces), ..end.clone() });
+        if solves.is_empty() { vec![end] } else { all.collect() }
+    }
+
+    /// The same frame with the velocities of the bodies as arrows.
+    pub fn with_velocities(mut self, scene: &Scene) -> Self {
+        for (state, body) in self.states.iter().zip(&scene.bodies) {
+            let (point, force, origin) = (state.pose.p, state.v, Origin::Velocity);
+            if body.mass != Mass::Fixed && force.norm() > 0.0 {
+                self.forces.push(Force { point, force, origin });
+            }
+        }
+        self
     }
 
     /// The same frame with these body colors.
@@ -111,15 +145,10 @@ pub fn instants(steps: usize, frames: usize) -> Vec<usize> {
     instants
 }
 
-fn forces(scene: &Scene, step: &Step) -> Vec<Force> {
-    let per_unit = |solve: &Solve| match solve.problem.stage.unit(false) {
-        "N" => Some(1.0),
-        "N s" => Some(1.0 / scene.step.dt),
-        _ => None,
-    };
-    let Ok(solves) = step.posed(scene) else { return Vec::new() };
-    let last = solves.iter().rev().find_map(|solve| Some((solve, per_unit(solve)?)));
-    let Some((solve, scale)) = last else { return Vec::new() };
+/// The forces of a solve; impulses as the constant force over the step, unless they remain.
+fn forces(scene: &Scene, step: &Step, solve: &Solve, impulses: bool) -> Vec<Force> {
+    let is_impulse = solve.problem.stage.unit(false) == "N s";
+    let scale = if is_impulse && !impulses { 1.0 / scene.step.dt } else { 1.0 };
     let assembly = &solve.problem.assembly;
     let mut sums: BTreeMap<(Source, Origin), (usize, Vector3<f64>)> = BTreeMap::new();
     let mut between_moving: BTreeSet<Source> = BTreeSet::new();
@@ -128,7 +157,8 @@ fn forces(scene: &Scene, step: &Step) -> Vec<Force> {
         let along =
             end_jacobian(scene, step, row).unwrap_or(part.jacobian.fixed_rows::<3>(0).into());
         let force = along * (x * scale);
-        let key = (row.id.source, origin(row));
+        let own = if is_impulse && impulses { Origin::Impulse } else { origin(row) };
+        let key = (row.id.source, own);
         let body = assembly.blocks[part.block].body;
         sums.entry(key).or_insert((body, Vector3::zeros())).1 += force;
         if row.parts().nth(1).is_some() {
@@ -136,8 +166,9 @@ fn forces(scene: &Scene, step: &Step) -> Vec<Force> {
         }
     }
     let points_down = |source: Source| {
-        let normal =
-            sums.get(&(source, Origin::Normal)).map(|(_, force)| force.dot(&scene.gravity));
+        let own =
+            [Origin::Normal, Origin::Impulse].iter().find_map(|own| sums.get(&(source, *own)));
+        let normal = own.map(|(_, force)| force.dot(&scene.gravity));
         between_moving.contains(&source) && normal.is_some_and(|along| along > 0.0)
     };
     let placed = sums.iter().filter_map(|(&(source, origin), &(body, force))| {

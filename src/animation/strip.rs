@@ -217,7 +217,7 @@ impl Strip {
         let dot = joint::dot(&self.scene, lens) / lens.scale;
         let mut solids: Vec<_> =
             bodies.flat_map(|(k, (body, state))| Solid::of(k, body, &state.pose, dot)).collect();
-        solids.extend(joint::rods(&self.scene, frame, joint::ROD / lens.scale));
+        solids.extend(joint::rods(&self.scene, frame, joint::rod(&self.scene, lens) / lens.scale));
         let order = depth::order(&lens.camera, &solids);
         let painted: Vec<_> = order.into_iter().map(|k| &solids[k]).collect();
         ink.solids(&self.scene.bodies, &frame.heat, &painted);
@@ -228,19 +228,26 @@ impl Strip {
         ink.finish()
     }
 
-    /// The scale bar, and an arrow of a round force for each origin, in lines of this width.
-    fn scales(&self, frames: &[Frame], lens: &Lens, newton: Option<f64>, width: f64) -> Vec<Scale> {
+    /// The scale bar, and an arrow of a round length for each origin, in lines of this width.
+    fn scales(
+        &self,
+        frames: &[Frame],
+        lens: &Lens,
+        arrows: Option<(f64, &[f64])>,
+        width: f64,
+    ) -> Vec<Scale> {
         let metres = round_step(BAR * lens.width / lens.scale);
         let bar = format!("{} m", readable(metres, 2));
         let mut scales = vec![(None, metres * lens.scale, bar)];
-        if let Some(newton) = newton {
-            let force = round_step(0.4 * arrow::largest(frames).max(arrow::largest(&self.others)));
+        if let Some((newton, most)) = arrows {
             let drawn = |force: &Force| force.force.norm() * newton >= arrow::SHORTEST;
             let forces = || frames.iter().flat_map(|frame| &frame.forces).filter(|own| drawn(own));
             let acts = |origin: &Origin| forces().any(|force| force.origin == *origin);
             scales.extend(Origin::ALL.into_iter().filter(acts).map(|origin| {
-                let words = format!("{} {} N", origin.name(), readable(force, 2));
-                (Some(origin), force * newton, words)
+                let most = most[origin as usize];
+                let round = round_step(0.4 * most);
+                let words = format!("{} {} {}", origin.name(), readable(round, 2), origin.unit());
+                (Some(origin), round / most * newton, words)
             }));
         }
         let (mut x, mut line) = (EDGE, 0);
@@ -312,23 +319,25 @@ impl Figure for Strip {
         let labels: Vec<String> = finite().map(label).collect();
         let widest = labels.iter().map(|label| style::width(label, TEXT)).fold(0.0, f64::max);
         let camera = Camera::new(self.view);
-        let all: Vec<Frame> = frames.iter().chain(&self.others).cloned().collect();
+        let mut all: Vec<Frame> = frames.iter().chain(&self.others).cloned().collect();
+        let most = arrow::normalize(&mut all);
+        let count = frames.len();
+        let frames = &all[..count];
         let landmarks = extent::landmarks(&self.scene, &all);
         let patches = ground::patches(&self.scene, &landmarks);
         let window = ground::window(&camera, landmarks, &patches);
-        let count = frames.len();
         let lens = |window: &Window| Layout::new(window, width, count, widest).lens(camera, window);
         let first = lens(&window);
-        let largest = arrow::largest(&all);
-        let shown = self.arrows == Arrows::Shown && largest > 0.0;
-        let newton = if shown { arrow::scale(largest, &first) } else { 0.0 };
+        let shown = self.arrows == Arrows::Shown && most.iter().any(|most| *most > 0.0);
+        let newton = if shown { arrow::scale(1.0, &first) } else { 0.0 };
         // The picture contains the arrows.
-        let window = window.containing(arrow::tips(all.iter(), largest, &first, newton));
+        let window = window.containing(arrow::tips(all.iter(), 1.0, &first, newton));
         let layout = Layout::new(&window, width, count, widest);
         let lens = lens(&window);
         let newton = shown.then_some(newton * lens.scale / first.scale);
 
-        let scales = self.scales(&frames, &lens, newton, width - EDGE);
+        let scales =
+            self.scales(frames, &lens, newton.map(|newton| (newton, &most[..])), width - EDGE);
         let top = TOP + LINE * scales.last().map_or(0, |scale| scale.at.1) as f64;
         let height = top + layout.total() + EDGE;
         let (mut canvas, lower) = Canvas::titled(width, height, &self.title);
@@ -349,7 +358,7 @@ impl Figure for Strip {
                 h = tenth(lens.height),
             ));
         }
-        canvas.finish(id, &self.title, &self.description(&frames))
+        canvas.finish(id, &self.title, &self.description(frames))
     }
 
     /// One record per frame and body: its pose.

@@ -13,7 +13,6 @@ use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
 use lcplab::number::readable;
-use lcplab::plot::Figure;
 use lcplab::report::page::Picture;
 use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
@@ -91,44 +90,43 @@ enum Level {
 /// Maximum number of instants in the picture of a motion.
 const FRAMES: usize = 6;
 
-/// The bodies before the first of the steps and after each, with the forces; `None` if no step can
-/// be taken.
+/// The bodies before the first of the steps and after each, with velocities, impulses and forces;
+/// `None` if no step can be taken.
 fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Option<Picture>> {
     let mut scene = scene.clone();
     scene.solver.name = solver.into();
     let mut simulation = Simulation::of(&scene)?;
     let mut frames = Vec::new();
-    let last = last.min(first + FRAMES - 2);
     for number in 1..=last {
         if number == first {
-            frames.push(Frame::now(&simulation));
+            frames.push(Frame::now(&simulation).with_velocities(&scene));
         }
         match simulation.step() {
-            Ok(step) if number >= first => frames.push(Frame::after(&scene, &step)),
+            Ok(step) if number >= first => frames.extend(Frame::solved(&scene, &step)),
             Ok(_) => {}
             Err(_) => break,
         }
     }
+    frames.truncate(FRAMES);
     if frames.len() < 2 {
         return Ok(None);
     }
-    let moving: Vec<usize> =
-        (0..scene.bodies.len()).filter(|&k| frames[0].states[k].v.norm() > 0.0).collect();
-    let mut strip = Strip::new(&scene, frames).with_forces();
-    if let [only] = moving[..] {
-        let (time, v) = (strip.frames[0].time, strip.frames[0].states[only].v.norm());
-        let [time, v] = [time, v].map(|value| readable(value, 3));
-        strip.labels = vec![format!("{time} s: {} moves at {v} m/s", scene.bodies[only].name)];
-    }
-    strip.title = "Before and after the step, with the forces of contacts and joints".into();
-    let caption = match scene.step.scheme {
-        Scheme::Acceleration => {
-            "Arrows are the forces x at the end of the step; the impulses of an impact are not drawn."
-        }
-        _ => "Arrows are the impulses x of the step, divided by its length.",
+    let label = |frame: &Frame| match frame.largest().unwrap_or_default() {
+        impulses if impulses.ends_with("N s") => format!("impact: {impulses}"),
+        words => format!("{} s: {words}", readable(frame.time, 3)).trim_end_matches(": ").into(),
     };
-    let (svg, narrow) = (strip.svg(), strip.narrow());
-    Ok(Some(Picture { svg, narrow, caption: caption.into(), ..Picture::default() }))
+    let labels = frames.iter().map(label).collect();
+    let largest: Vec<String> = frames[1..].iter().filter_map(Frame::largest).collect();
+    let title = match largest.is_empty() {
+        true => "No contact or joint acts".into(),
+        false => format!("Contacts and joints take {}", largest.join(", then ")),
+    };
+    let caption = match scene.step.scheme {
+        Scheme::Acceleration => "The forces are those at the end of the step.",
+        _ => "The forces are the impulses x of the step, divided by its length.",
+    };
+    let strip = Strip { title, labels, ..Strip::new(&scene, frames) }.with_caption(caption);
+    Ok(Some(Picture::inline(&strip.with_forces())))
 }
 
 impl Explain {

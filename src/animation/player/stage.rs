@@ -80,7 +80,8 @@ impl Stage {
         let is_narrow = (across < ONE_LINE || columns == 1.0) && origins.len() > 1;
         let foot = FOOT + if heaviest.is_some() || is_narrow { LINE } else { 0.0 };
         let lens = |window: &Window| Layout::single(window, across, highest).lens(camera, window);
-        let largest = |sample: &super::Sample| arrow::largest(std::slice::from_ref(&sample.frame));
+        let largest =
+            |sample: &super::Sample| arrow::largest(std::slice::from_ref(&sample.frame), "N");
         let mut forces: Vec<f64> = samples().map(largest).filter(|force| *force > 0.0).collect();
         forces.sort_by(f64::total_cmp);
         let usual = forces.get((USUAL * forces.len() as f64) as usize).copied().unwrap_or(0.0);

@@ -42,7 +42,7 @@ pub(super) fn after(scene: &Scene, before: &[State], step: &Step) -> Section {
 }
 
 /// The states, with 0 for velocities that are rounding errors of the speeds in the step.
-fn without_rounding(scene: &Scene, before: &[State], after: &[State]) -> Vec<State> {
+pub(super) fn without_rounding(scene: &Scene, before: &[State], after: &[State]) -> Vec<State> {
     let sizes = before.iter().chain(after).map(|state| (state.v.norm(), state.omega.norm()));
     let (fastest, turning) =
         sizes.fold((0.0, 0.0), |most: (f64, f64), own| (most.0.max(own.0), most.1.max(own.1)));

@@ -2,14 +2,18 @@
 
 use std::ops::RangeInclusive;
 
+use nalgebra::Vector3;
+
 use super::single::{Ending, Single};
 use super::units::{Units, with_unit};
 use super::{Method, setup};
 use lcplab_lcp::error::{Error, Result};
-use lcplab_lcp::number::{capitalized, counted};
+use lcplab_lcp::number::{capitalized, counted, readable};
+use lcplab_mechanics::assembly::Row;
+use lcplab_mechanics::body::{Mass, State, linear};
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
-use lcplab_mechanics::simulation::{Cause, Failure, Simulation, Solve};
+use lcplab_mechanics::simulation::{Cause, Failure, Simulation, Solve, Step};
 use lcplab_page::document::notation::{plain, vector};
 use lcplab_page::document::{Block, Document, Section};
 use lcplab_solver::Registry;
@@ -62,6 +66,7 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
                 } else {
                     String::new()
                 };
+                lead.push(meaning(scene, &states, &step));
                 lead.push(found(&place, level, &step.solves));
                 solves(&mut document, scene, method, &place, &step.solves, None)?;
                 let mut after = setup::after(scene, &states, &step);
@@ -79,12 +84,15 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
     }
     lead.retain(|words| !words.is_empty());
     lead.truncate(LISTED);
+    if document.is_accepted {
+        lead.push("The judge accepts every answer.".into());
+    }
     document.lead = lead.join(" ");
     Ok(document)
 }
 
-/// Maximum number of steps whose answers the lead states.
-const LISTED: usize = 2;
+/// Maximum number of sentences of the lead: two for each step.
+const LISTED: usize = 4;
 
 /// Maximum number of rows of an x in the lead.
 const SHORT: usize = 6;
@@ -118,6 +126,39 @@ fn found(place: &str, level: Scheme, solves: &[Solve]) -> String {
         }
         None => String::new(),
     }
+}
+
+/// The motion after a step, and the weight that fixed bodies support, in a sentence.
+fn meaning(scene: &Scene, before: &[State], step: &Step) -> String {
+    let after = setup::without_rounding(scene, before, &step.states);
+    let moving = || scene.bodies.iter().zip(&after).filter(|(body, _)| body.mass != Mass::Fixed);
+    let fastest = moving().max_by(|a, b| a.1.v.norm().total_cmp(&b.1.v.norm()));
+    let motion = match fastest {
+        Some((body, state)) if state.v.norm() > 0.0 => {
+            format!("{} is the fastest body, at {} m/s", body.name, readable(state.v.norm(), 3))
+        }
+        _ if after.iter().any(|state| state.omega.norm() > 0.0) => "bodies turn in place".into(),
+        _ => "every body is at rest".into(),
+    };
+    let weight = scene.gravity * moving().map(|(body, _)| body.mass.mass()).sum::<f64>();
+    let last = step.solves.iter().rfind(|solve| solve.problem.stage != Stage::Position);
+    let is_complete = |solve: &&Solve| solve.problem.slides.is_empty() && weight.norm() > 0.0;
+    let support = last.filter(is_complete).map(|solve| {
+        let rows = solve.problem.assembly.rows.iter().zip(&solve.solution.x);
+        let outer = rows.filter(|(row, _)| row.parts().count() == 1);
+        let push = |(row, x): (&Row, &f64)| {
+            row.parts().map(|part| linear(&part.jacobian)).sum::<Vector3<f64>>() * *x
+        };
+        let sum: Vector3<f64> = outer.map(push).sum();
+        let (time, mean) = match solve.problem.stage {
+            Stage::Acceleration => (1.0, ""),
+            _ => (scene.step.dt, " on average"),
+        };
+        let [own, all] = [-sum.dot(&weight) / weight.norm() / time, weight.norm()]
+            .map(|force| readable(force, 3));
+        format!("Fixed bodies and points push with {own} N{mean} against the weight of {all} N. ")
+    });
+    format!("{}After the step {motion}.", support.unwrap_or_default())
 }
 
 /// The LCPs of a step, and why it failed, if it did; `number` precedes the titles.
