@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use crate::assembly::{Row, Source};
 use crate::body::{Mass, State};
 use crate::constraint::{Constraint, Kind, Normal};
-use crate::scene::Scene;
+use crate::scene::{Scene, Scheme};
 use crate::simulation::{Simulation, Solve, Step};
 
 /// One instant of a motion.
@@ -89,8 +89,7 @@ impl Frame {
         Frame::solved(scene, step).pop().unwrap_or_default()
     }
 
-    /// The end of a step with the forces of each of its solves; impulses before forces remain
-    /// impulses.
+    /// The end of a step with the forces of each of its solves; impulses of impacts remain impulses.
     pub fn solved(scene: &Scene, step: &Step) -> Vec<Self> {
         let (time, states) = (step.motion.time, step.states.clone());
         let end = Frame { time, states, ..Frame::default() };
@@ -99,10 +98,10 @@ impl Frame {
         let has_arrows =
             |solve: &&Solve| ["N", "N s"].contains(&unit(solve)) && !solve.problem.lcp.is_empty();
         let solves: Vec<&Solve> = posed.iter().filter(has_arrows).collect();
-        let has_forces = solves.last().is_some_and(|last| unit(last) == "N");
+        let is_impact = scene.step.scheme == Scheme::Acceleration;
         let all = solves
             .iter()
-            .map(|solve| Frame { forces: forces(scene, step, solve, has_forces), ..end.clone() });
+            .map(|solve| Frame { forces: forces(scene, step, solve, is_impact), ..end.clone() });
         if solves.is_empty() { vec![end] } else { all.collect() }
     }
 
@@ -172,7 +171,9 @@ fn forces(scene: &Scene, step: &Step, solve: &Solve, impulses: bool) -> Vec<Forc
         between_moving.contains(&source) && normal.is_some_and(|along| along > 0.0)
     };
     let placed = sums.iter().filter_map(|(&(source, origin), &(body, force))| {
-        let point = place(scene, step, source, body)?;
+        // A contact that begins within the step has no place yet.
+        let center = || (origin == Origin::Impulse).then(|| step.states[body].pose.p);
+        let point = place(scene, step, source, body).or_else(center)?;
         let force = if points_down(source) { -force } else { force };
         (force.norm() > 0.0).then_some(Force { point, force, origin })
     });

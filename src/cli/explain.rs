@@ -118,7 +118,7 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
     let labels = frames.iter().map(label).collect();
     let largest: Vec<String> = frames[1..].iter().filter_map(Frame::largest).collect();
     let title = match largest.is_empty() {
-        true => "No contact or joint acts".into(),
+        true => "No contact or joint acts on the bodies".into(),
         false => format!("Contacts and joints take {}", largest.join(", then ")),
     };
     let caption = match scene.step.scheme {

@@ -39,14 +39,15 @@ pub fn xml_text(text: &str) -> String {
 
 /// Units that stay with their number, and signs that stay with both sides.
 const UNITS: &str = "% ° m mm µm km s ms µs kg g N kN J kJ W Hz rad px kB MB GB";
-const SIGNS: [&str; 11] = ["=", "≥", "≤", "≈", ">", "<", "&gt;", "&lt;", "&#62;", "&#60;", "±"];
+pub(crate) const SIGNS: [&str; 11] =
+    ["=", "≥", "≤", "≈", ">", "<", "&gt;", "&lt;", "&#62;", "&#60;", "±"];
 
 /// Whether each word is a unit after a number or in brackets, as all of `2 N s` and `(N s)`.
 pub(crate) fn units(words: &[&str]) -> Vec<bool> {
     let is_number = |c: char| c.is_ascii_digit() || "⁰¹²³⁴⁵⁶⁷⁸⁹∞".contains(c);
     let is_unit = |word: &str| {
-        let word = word.trim_end_matches([',', ';', '.', ':', ')', ']']);
-        let mut parts = word.split('/').map(|part| part.trim_end_matches(['²', '³']));
+        let word = word.trim_end_matches("&nbsp;").trim_end_matches([',', ';', '.', ':', ')', ']']);
+        let mut parts = word.split('/').map(|part| part.trim_end_matches(['²', '³', '⁻', '¹']));
         parts.all(|part| UNITS.split(' ').any(|own| own == part))
     };
     let mut units = vec![false; words.len()];

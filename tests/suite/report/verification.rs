@@ -76,7 +76,8 @@ fn the_page_sets_every_formula_and_shows_every_row() {
     let (_, table) = document.tables.iter().find(|(id, _)| id == "closed_forms").unwrap();
     let rows = found.concat();
     assert_eq!(table.rows.len(), rows.len());
-    let html = document.page.render().unwrap(); // LaTeX that cannot be set is an error
+    // LaTeX that cannot be set is an error.
+    let html = document.page.render().unwrap().replace('\u{a0}', " ");
     for row in &rows {
         let mut between_quotes = row.quantity.split(['"', '\'']);
         assert!(between_quotes.all(|words| html.contains(words)), "{}", row.quantity);

@@ -128,6 +128,9 @@ fn found(place: &str, level: Scheme, solves: &[Solve]) -> String {
     }
 }
 
+/// A slower rotation (rad/s) is rounding.
+const ROTATION: f64 = 1e-9;
+
 /// The motion after a step, and the weight that fixed bodies support, in a sentence.
 fn meaning(scene: &Scene, before: &[State], step: &Step) -> String {
     let after = setup::without_rounding(scene, before, &step.states);
@@ -137,7 +140,9 @@ fn meaning(scene: &Scene, before: &[State], step: &Step) -> String {
         Some((body, state)) if state.v.norm() > 0.0 => {
             format!("{} is the fastest body, at {} m/s", body.name, readable(state.v.norm(), 3))
         }
-        _ if after.iter().any(|state| state.omega.norm() > 0.0) => "bodies turn in place".into(),
+        _ if after.iter().any(|state| state.omega.norm() > ROTATION) => {
+            "bodies turn in place".into()
+        }
         _ => "every body is at rest".into(),
     };
     let weight = scene.gravity * moving().map(|(body, _)| body.mass.mass()).sum::<f64>();

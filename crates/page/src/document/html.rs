@@ -3,7 +3,7 @@
 use super::Document;
 use super::markdown::formula;
 use super::unicode::scripted;
-use crate::escape::units;
+use crate::escape::{SIGNS, units};
 use crate::page::markup::literal;
 use crate::page::{Block, Cell, Column, Page, Section, Table};
 use lcplab_lcp::error::Result;
@@ -42,19 +42,26 @@ impl super::Block {
 fn typeset(words: &str) -> String {
     let words: Vec<&str> = words.split(' ').collect();
     let units = units(&words);
-    let one = |(k, word): (usize, &&str)| {
-        let name = word.trim_matches(|c| "(),.;:|".contains(c));
+    let name = |k: usize| words[k].trim_matches(|c| "(),.;:|".contains(c));
+    let latex = |k: usize| {
         let begins = k == 0 || words[k - 1].ends_with(['.', ':']);
-        let is_article = begins && *word == "A" && !matches!(words.get(k + 1), Some(&("is" | "=")));
-        match variable(name).filter(|_| !units[k] && !is_article) {
-            Some(latex) => {
-                let (before, after) = word.split_once(name).unwrap_or_default();
-                format!("{}${latex}${}", literal(before), literal(after))
-            }
-            None => literal(word),
-        }
+        let is_article =
+            begins && words[k] == "A" && !matches!(words.get(k + 1), Some(&("is" | "=")));
+        variable(name(k)).filter(|_| !units[k] && !is_article)
     };
-    words.iter().enumerate().map(one).collect::<Vec<_>>().join(" ")
+    // A relation belongs to the variable before it.
+    let is_taken = |k: usize| SIGNS.contains(&words[k]) && k > 0 && latex(k - 1).is_some();
+    let one = |k: usize| match latex(k) {
+        Some(latex) => {
+            let (before, after) = words[k].split_once(name(k)).unwrap_or_default();
+            let sign = words.get(k + 1).filter(|_| is_taken(k + 1)).unwrap_or(&"");
+            let space = if sign.is_empty() { "" } else { " " };
+            format!("{}${latex}{space}{sign}${}", literal(before), literal(after))
+        }
+        None => literal(words[k]),
+    };
+    let kept = (0..words.len()).filter(|k| !is_taken(*k));
+    kept.map(one).collect::<Vec<_>>().join(" ")
 }
 
 /// The LaTeX of a letter, or of one or two with marks.
@@ -64,7 +71,7 @@ fn variable(name: &str) -> Option<String> {
     let marks = base.chars().filter(is_mark).count() + index.len();
     let letters = base.chars().count() - base.chars().filter(is_mark).count();
     let is_name = letters == 1 || (letters == 2 && marks > 0);
-    let is_plain = |c: char| c.is_alphanumeric() || "⁺⁻'".contains(c);
+    let is_plain = |c: char| c.is_alphanumeric() || "⁺⁻'*".contains(c);
     if !is_name
         || !name.starts_with(char::is_alphabetic)
         || matches!(name, "a" | "I")

@@ -169,7 +169,7 @@ pub(super) fn scripted(text: &str) -> String {
         plain.chars().nth(other.chars().position(|own| own == c)?)
     };
     let one = |c: char| match (plain(c, RAISED), plain(c, LOWERED)) {
-        (Some(c), _) if c != '*' => format!("^{{{c}}}"),
+        (Some(c), _) => format!("^{{{c}}}"),
         (_, Some(c)) => format!("_{{{c}}}"),
         _ => c.to_string(),
     };
