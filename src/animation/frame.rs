@@ -89,7 +89,7 @@ impl Frame {
         Frame::solved(scene, step).pop().unwrap_or_default()
     }
 
-    /// The end of a step with the forces of each of its solves; impulses of impacts remain impulses.
+    /// The end of a step with the forces of each of its solves; those of impacts are impulses.
     pub fn solved(scene: &Scene, step: &Step) -> Vec<Self> {
         let (time, states) = (step.motion.time, step.states.clone());
         let end = Frame { time, states, ..Frame::default() };

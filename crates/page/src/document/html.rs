@@ -71,11 +71,15 @@ fn variable(name: &str) -> Option<String> {
     let marks = base.chars().filter(is_mark).count() + index.len();
     let letters = base.chars().count() - base.chars().filter(is_mark).count();
     let is_name = letters == 1 || (letters == 2 && marks > 0);
-    let is_plain = |c: char| c.is_alphanumeric() || "⁺⁻'*".contains(c);
+    let is_plain = |c: char| {
+        c.is_ascii_alphanumeric()
+            || matches!(c, 'Α'..='ω' | '\'')
+            || scripted(&c.to_string()).starts_with(['^', '_'])
+    };
     if !is_name
         || !name.starts_with(char::is_alphabetic)
         || matches!(name, "a" | "I")
-        || !name.replace('_', "").chars().all(is_plain)
+        || !base.chars().chain(index.chars()).all(is_plain)
     {
         return None;
     }
