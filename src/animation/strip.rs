@@ -33,6 +33,8 @@ pub enum Arrows {
     Hidden,
     /// The forces of the frames, and the contact points.
     Shown,
+    /// What the frames have in the place of forces, without a scale.
+    Plain,
 }
 
 /// Several instants of a motion side by side, seen by one camera at one scale.
@@ -239,7 +241,7 @@ impl Strip {
         let metres = round_step(BAR * lens.width / lens.scale);
         let bar = format!("{} m", readable(metres, 2));
         let mut scales = vec![(None, metres * lens.scale, bar)];
-        if let Some((newton, most)) = arrows {
+        if let Some((newton, most)) = arrows.filter(|_| self.arrows == Arrows::Shown) {
             let drawn = |force: &Force| force.force.norm() * newton >= arrow::SHORTEST;
             let forces = || frames.iter().flat_map(|frame| &frame.forces).filter(|own| drawn(own));
             let acts = |origin: &Origin| forces().any(|force| force.origin == *origin);
@@ -328,7 +330,7 @@ impl Figure for Strip {
         let window = ground::window(&camera, landmarks, &patches);
         let lens = |window: &Window| Layout::new(window, width, count, widest).lens(camera, window);
         let first = lens(&window);
-        let shown = self.arrows == Arrows::Shown && most.iter().any(|most| *most > 0.0);
+        let shown = self.arrows != Arrows::Hidden && most.iter().any(|most| *most > 0.0);
         let newton = if shown { arrow::scale(1.0, &first) } else { 0.0 };
         // The picture contains the arrows.
         let window = window.containing(arrow::tips(all.iter(), 1.0, &first, newton));

@@ -31,9 +31,9 @@ function drawMap() {
   picture += svg("polyline", { points: curve(flat, steep).map((p) => toMap(...p).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
   if (lift < 90) { const y = toMap(0, lift)[1]; picture += svg("line", { x1: left, x2: right, y1: y, y2: y, class: "law" }); }
   const word = (mu, theta, text) => { const [x, y] = toMap(mu, theta); return svg("text", { x, y, "text-anchor": "middle" }, text); };
-  picture += word(0.6, 45, "one");
-  if (lift > 55) picture += word(2.45, Math.min(63, (lift + 40) / 2), "none");
-  if (lift < 75) picture += word(2.45, (lift + 80) / 2, "two");
+  picture += word(0.6, 45, "one solution");
+  if (lift > 55) picture += word(2.45, Math.min(63, (lift + 40) / 2), "no solution");
+  if (lift < 75) picture += word(2.45, (lift + 80) / 2, "two solutions");
   for (const mu of [0, 1, 2, 3]) picture += svg("text", { x: toMap(mu, 0)[0] - 4, y: bottom + 18, class: "faint" }, mu);
   for (const theta of [30, 60, 90]) picture += svg("text", { x: 10, y: toMap(0, theta)[1] + 5, class: "faint" }, `${theta}°`);
   picture += svg("text", { x: right - 6, y: bottom - 8, "text-anchor": "end" }, "friction μ") + svg("text", { x: left + 6, y: top + 16 }, "angle θ");
@@ -84,6 +84,10 @@ function drawSlip() {
   }
   chart += svg("text", { x: left + 0.875 * (right - left), y: zero + 20, "text-anchor": "middle" }, "time");
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
+  const again = speeds.findIndex((speed, k) => k > 1 && speed > 0 && speeds[k - 1] === 0), landing = frames.findIndex(({ x }) => x[2] > 0);
+  for (const [k, y, words] of [[again, zero - 8, "slides again"], [landing, top + 4, "upper end lands"]]) {
+    if (k > 0) chart += svg("text", { x: at(k)[0] - 6, y, "text-anchor": "end", class: "faint" }, words);
+  }
   const [cx, cy] = at(state.step);
   chart += svg("circle", { cx, cy, r: 5, class: "here" }) + svg("text", { x: right, y: 14, "text-anchor": "end" }, `sliding speed: ${short(speeds[state.step], 3)}`);
   find("#slip").innerHTML = chart;
@@ -101,7 +105,7 @@ function drawWords() {
     lines.push(parts.map((part) => part.replaceAll(" ", "\u00a0")).join(", "));
   }
   find("#words").textContent = lines.join("\n");
-  const says = { 0: "No solution: friction turns the end into the floor faster than the normal force can lift it, however large the force is.", 1: "One solution.", 2: "Two solutions: the end leaves the floor, or stays on it." }[forces.length];
+  const says = { 0: "There is no solution: friction turns the end into the floor faster than the normal force can lift it, however large the force is.", 1: "There is one solution for the contact force.", 2: "There are two solutions: the end leaves the floor, or stays on it." }[forces.length];
   find("#says").textContent = `${says} The critical friction coefficient at this angle is ${digits(rod.critical)}.`;
   find("#says").className = `says ${["bad", "good", "caution"][forces.length]}`;
 }

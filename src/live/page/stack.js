@@ -51,7 +51,7 @@ function drawStack() {
     const isLast = !animation && moves[state.at].row === i;
     picture += svg("rect", { x: 270, y, width: long(x[i]), height: 12, style: `fill:${isLast ? "var(--two)" : "var(--one)"}` });
     picture += svg("rect", { x: 270, y, width: long(exact[i]), height: 12, style: "fill:none;stroke:var(--ink)" });
-    picture += svg("text", { x: 264, y: y + 11, "text-anchor": "end", class: "faint" }, short(x[i], 3));
+    picture += svg("text", { x: 264, y: y + 11, "text-anchor": "end", class: "faint" }, `${short(x[i], 3)} of ${short(exact[i], 3)}`);
   });
   const focus = document.activeElement?.id;
   find("#stack").innerHTML = picture;
@@ -64,9 +64,11 @@ function drawStack() {
 
 function drawPlot() {
   const step = moves[state.at].step, residuals = trace.steps.map(({ residual }) => number(residual)), last = Math.max(10, isSweep() ? 60 : trace.steps.length - 1);
-  const px = (k) => 46 + k / last * 360, py = (r) => 16 + Math.min(10, Math.max(0, -Math.log10(Math.max(r, 1e-12)))) * 25;
+  // As many decades as the residuals have, two to ten.
+  const decades = 2 * Math.min(5, Math.max(1, Math.ceil(-Math.log10(Math.max(Math.min(...residuals), 1e-12)) / 2 - 1e-9)));
+  const px = (k) => 46 + k / last * 360, py = (r) => 16 + Math.min(decades, Math.max(0, -Math.log10(Math.max(r, 1e-12)))) * 250 / decades;
   let picture = "";
-  for (const power of [0, 2, 4, 6, 8, 10]) {
+  for (let power = 0; power <= decades; power += 2) {
     picture += svg("line", { x1: 46, x2: 406, y1: py(10 ** -power), y2: py(10 ** -power), class: "contour" });
     picture += svg("text", { x: 40, y: py(10 ** -power) + 4, "text-anchor": "end", class: "faint" }, power === 0 ? "1" : `10⁻${"⁰¹²³⁴⁵⁶⁷⁸⁹"[power] ?? "¹⁰"}`);
   }

@@ -3,10 +3,12 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::ReportPage;
-use crate::animation::{Animation, Frame, Recording, Sample, Strip, instants};
+use crate::animation::{
+    Animation, Arrows, Force, Frame, Origin, Recording, Sample, Strip, instants,
+};
 use crate::diagnosis::unsupported::{
-    ErrorHistory, Examination, Frame as Problem, ReferenceSolution, UserSolver, error_histories,
-    exact, main_solve, percent,
+    ErrorHistory, Examination, Frame as Problem, ReferenceSolution, Slowest, UserSolver,
+    error_histories, exact, main_solve, percent,
 };
 use crate::document;
 use crate::error::Result;
@@ -82,7 +84,7 @@ fn pictures(
         return Ok(());
     };
     if let (Some(slowest), Some(scene)) = (&unsupported.slowest, scene) {
-        let strip = pattern(scene, frame, &slowest.forces, found.place)?;
+        let strip = pattern(scene, frame, slowest, found.place)?;
         page.add(Block::Figure(Picture::inline(&strip)));
     }
     let error_histories = error_histories(frame, user_solver);
@@ -143,18 +145,18 @@ fn unsupported(scene: &Scene, step: &Step) -> Vec<f64> {
 }
 
 /// The bodies at rest, and moved by the forces of the slowest mode, magnified.
-fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Result<Strip> {
+fn pattern(scene: &Scene, frame: &Problem, slowest: &Slowest, place: usize) -> Result<Strip> {
     let mut simulation = Simulation::of(scene)?;
     for _ in 0..place {
         if simulation.step().is_err() {
             break;
         }
     }
-    let moved = frame.response(forces);
-    let speeds = frame.speeds(forces);
+    let moved = frame.response(&slowest.forces);
+    let speeds = frame.speeds(&slowest.forces);
     let fastest = speeds.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let swing = SWING * scene.thinnest().unwrap_or(1.0) / fastest;
-    let rest = Frame::now(&simulation).heated(vec![0.0; scene.bodies.len()]);
+    let mut rest = Frame::now(&simulation).heated(vec![0.0; scene.bodies.len()]);
     let mut moving = rest.clone();
     for (body, speed) in frame.bodies.iter().zip(&speeds) {
         let Some(k) = scene.bodies.iter().position(|one| one.name == body.name) else {
@@ -165,16 +167,25 @@ fn pattern(scene: &Scene, frame: &Problem, forces: &[f64], place: usize) -> Resu
             _ => Vector3::zeros(),
         };
         let pose = &mut moving.states[k].pose;
+        rest.forces.push(Force {
+            point: pose.p,
+            force: part(0) * swing,
+            origin: Origin::Constraint,
+        });
         pose.p += part(0) * swing;
         pose.q = UnitQuaternion::from_scaled_axis(part(3) * swing) * pose.q;
         moving.heat[k] = speed / fastest;
     }
-    let labels = ["actual positions", "slowest pattern"];
+    let labels = ["arrows: displacements", "displaced bodies"];
     let mut strip = Strip::new(scene, vec![rest, moving]).named("pattern").labelled(labels);
-    strip.title = "The error pattern of Gauss-Seidel that decays most slowly".into();
+    strip.arrows = Arrows::Plain;
+    strip.title = format!(
+        "A sweep of Gauss-Seidel removes {} of the slowest error pattern",
+        percent(1.0 - slowest.rate)
+    );
     Ok(strip.with_caption(
-        "In this error pattern the bodies move together as in the second picture (much enlarged), and each \
-         sweep removes only a small part of it. The redder a body, the more it moves.",
+        "In the error pattern that decays most slowly the bodies move together, as the arrows and the second \
+         picture show (much enlarged). The redder a body, the more it moves.",
     ))
 }
 

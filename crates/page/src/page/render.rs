@@ -23,9 +23,6 @@ const MIDDLE: usize = 15;
 /// A table with more rows than this scrolls in its own frame under a fixed header.
 const TALL: usize = 40;
 
-/// A table with more rows than this may break across printed pages.
-const LONG_TABLE: usize = 14;
-
 /// Of a table with more rows than this only the marked ones are printed.
 const UNPRINTED: usize = 100;
 
@@ -71,18 +68,25 @@ struct FigureView<'a> {
     caption: String,
 }
 
-/// What the blocks contain, in words: text, and the numbers of figures and tables.
-fn contents<'a>(blocks: impl Iterator<Item = &'a Block> + Clone) -> String {
-    let counted = |is: fn(&&Block) -> bool, one: &str| match blocks.clone().filter(is).count() {
-        0 => None,
-        1 => Some(format!("a {one}")),
-        many => Some(format!("{many} {one}s")),
+/// What the blocks contain after this number of figures and of tables: text, and their numbers.
+fn contents<'a>(
+    blocks: impl Iterator<Item = &'a Block> + Clone,
+    (figures, tables): (usize, usize),
+) -> String {
+    let numbered = |is: fn(&&Block) -> bool, name: &str, before: usize| {
+        let (first, last) = (before + 1, before + blocks.clone().filter(is).count());
+        match last - before {
+            0 => None,
+            1 => Some(format!("{name} {first}")),
+            2 => Some(format!("{name}s {first} and {last}")),
+            _ => Some(format!("{name}s {first} to {last}")),
+        }
     };
     let has_text = blocks.clone().any(|block| matches!(block, Block::Text(_)));
     let parts = [
         has_text.then(|| "text".to_string()),
-        counted(|block| matches!(block, Block::Figure(_) | Block::Player(_)), "figure"),
-        counted(|block| matches!(block, Block::Table(_)), "table"),
+        numbered(|own| matches!(own, Block::Figure(_) | Block::Player(_)), "Figure", figures),
+        numbered(|own| matches!(own, Block::Table(_)), "Table", tables),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     match &parts[..] {
@@ -235,7 +239,8 @@ impl Writer {
         let mut shown: Vec<String> =
             open.into_iter().map(|(i, block)| self.block(&place(i), block)).collect();
         if !folded.is_empty() {
-            let what = contents(folded.iter().map(|(_, block)| *block));
+            let before = (self.figures, self.tables);
+            let what = contents(folded.iter().map(|(_, block)| *block), before);
             shown.push(format!("<details class=\"part\"><summary>Show {what}</summary>\n"));
             shown.extend(folded.into_iter().map(|(i, block)| self.block(&place(i), block)));
             shown.push("</details>\n".into());

@@ -27,7 +27,7 @@ const CLOSE: f64 = 18.0;
 const TOP: f64 = 46.0;
 /// The space above the bars for the name of the limit in px.
 const LABEL: f64 = 16.0;
-/// The space right of the bars for their values in px.
+/// The space right of the bars for the column of their values in px.
 const NUMBERS: f64 = 82.0;
 /// The width for a tick in px.
 const TICK: f64 = 110.0;
@@ -122,12 +122,6 @@ impl Figure for Bars {
         let end = |bar: &Bar| self.x.scale.position(bar.value).map(|at| frame.place((at, 0.0)).0);
         let limit = self.limit.as_ref().and_then(|(value, _)| self.x.scale.position(*value));
         let line = limit.map_or(f64::NAN, |at| frame.place((at, 0.0)).0);
-        // Where a number begins at its dot, and whether it crosses the line of the limit.
-        let number = |bar: &Bar| {
-            let first = from.max(end(bar).unwrap_or(from)) + 12.0;
-            let last = first + style::width(&readable(bar.value, 3), TEXT);
-            (first, (first - 4.0..last + 4.0).contains(&line))
-        };
         let mut description = format!("{}: ", self.x.heading());
         canvas.raw(&points::panel(&frame, &self.x, None));
         if let Some((value, name)) = &self.limit
@@ -159,10 +153,14 @@ impl Figure for Bars {
             let color = RGBColor(r, g, b);
             let dot = self.x.scale == Scale::Log;
             canvas.layer("class=\"bar\"", |layer| {
-                let (half, of_bar) = if dot { (0.6, GRID) } else { (THICKNESS / 2.0, color) };
+                // A line leads from the name to the number.
+                let (half, of_bar, to_line) = match dot {
+                    true => (0.6, GRID, frame.right),
+                    false => (THICKNESS / 2.0, color, to),
+                };
                 let corners = [
-                    (fine(from.min(to)), fine(middle - half)),
-                    (fine(from.max(to)), fine(middle + half)),
+                    (fine(from.min(to_line)), fine(middle - half)),
+                    (fine(from.max(to_line)), fine(middle + half)),
                 ];
                 layer.draw(&Rectangle::new(corners, of_bar.filled()))?;
                 for at in bar.others.iter().filter_map(|value| self.x.scale.position(*value)) {
@@ -179,12 +177,7 @@ impl Figure for Bars {
                 false => ((left - 10.0, middle + 5.0), Anchor::End),
             };
             canvas.text(name, anchor, TEXT, INK, &bar.name);
-            let beside = match number(bar) {
-                // It stands right of the line.
-                (_, true) => (line + 6.0, middle + 5.0),
-                (first, _) => (first, middle + 5.0),
-            };
-            canvas.text(beside, Anchor::Start, TEXT, INK, &amount);
+            canvas.text((wide - style::EDGE, middle + 5.0), Anchor::End, TEXT, INK, &amount);
             description += &format!("{} {amount}; ", bar.name);
         }
         canvas.raw("</g>\n");

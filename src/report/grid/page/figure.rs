@@ -182,8 +182,8 @@ fn finding(
         .or_else(|| largest(curves, measure, series))
 }
 
-/// Where the curves have their least values, and how that place moves from the first curve to the
-/// last one. `None` for values of both signs, whose least is the most negative, and where the ends
+/// How the place of the curves' least values moves from the first curve to the last one; of a rate,
+/// how these values themselves change. `None` for values of both signs, whose least is the most negative, and where the ends
 /// of a curve are hardly larger.
 fn least(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
     let inside = |own: &Series| {
@@ -191,7 +191,7 @@ fn least(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series])
         let (x, least) = finite().min_by(|a, b| a.1.total_cmp(&b.1))?;
         let ends = [finite().next()?.1, finite().next_back()?.1];
         let is_inside = *least >= 0.0 && ends.iter().all(|end| *end > DIP * least);
-        is_inside.then(|| (*x, own.name.clone()))
+        is_inside.then(|| (if measure.is_rate() { *least } else { *x }, own.name.clone()))
     };
     let mut places: Vec<_> = series.iter().map(inside).collect::<Option<_>>()?;
     let across = &curves.across;
@@ -209,14 +209,18 @@ fn least(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series])
     }
     let (first, last) = (places.first()?, places.last()?);
     let moves = match (rises, falls) {
-        (true, true) => return Some(format!("{what} at {across} = {}", readable(first.0, 3))),
+        (true, true) if !measure.is_rate() => {
+            return Some(format!("{what} at {across} = {}", readable(first.0, 3)));
+        }
+        (true, true) => return Some(format!("the {what} is {}", readable(first.0, 2))),
         (true, false) => "rises from",
         (false, true) => "falls from",
         (false, false) => "is between",
     };
     let to = if rises || falls { "to" } else { "and" };
     let place = |(x, name): &(f64, String)| format!("{} ({name})", readable(*x, 3));
-    Some(format!("the {across} with the {what} {moves} {} {to} {}", place(first), place(last)))
+    let who = if measure.is_rate() { what } else { format!("{across} with the {what}") };
+    Some(format!("the {who} {moves} {} {to} {}", place(first), place(last)))
 }
 
 /// How the last value compares with the first one: on the curve of the largest ratio and on that of

@@ -215,9 +215,9 @@ fn choice(choices: &[&Progress]) -> Table {
 
 /// The multiplications of the methods that solve the problem, the cheapest first.
 fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
-    let bar = |(k, method): (usize, &&MethodProgress)| Bar {
+    let bar = |method: &&MethodProgress| Bar {
         name: method.solver.clone(),
-        accent: k == 0 || method.solver == Pgs::NAME,
+        accent: true,
         value: work(method),
         others: Vec::new(),
     };
@@ -233,7 +233,7 @@ fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
             full_names(solved.iter().map(|method| method.solver.as_str()))
         ),
         x: Axis::log("multiplications", ""),
-        bars: solved.iter().enumerate().map(bar).collect(),
+        bars: solved.iter().map(bar).collect(),
         limit: budget(progress).map(|value| {
             let left = left(progress).map(|share| format!(": {share} unsupported"));
             (value, format!("ten sweeps of pgs{}", left.unwrap_or_default()))
@@ -367,8 +367,9 @@ fn finding(progress: &Progress) -> String {
 fn title(progress: &Progress) -> String {
     match by_cost(progress)[..] {
         [first, .., last] => format!(
-            "{} is cheapest, {} costs {} times as much",
+            "{} is cheapest with {} multiplications, {} costs {} times as much",
             first.solver,
+            readable(work(first), 3),
             last.solver,
             rough(work(last) / work(first))
         ),

@@ -45,7 +45,8 @@ impl Rows {
             id,
             title: self.title(maps),
             caption: "Each small square is the residual of one row after one sweep; the contact with the \
-                      ground is at the bottom, and white is a residual of 0. In sweeps from the top down, the \
+                      ground is at the bottom, and white is a residual of 0. Gauss-Seidel solves the last row of \
+                      a sweep exactly, so that row is white: the top one upward, the bottom one downward. The other \
                       white area shows the rows that the impulse of the ground has not reached. In sweeps from \
                       the ground up it reaches the top in the first one, but halved in each row, so that almost \
                       nothing arrives. With the best ω the residual drops by one row per sweep; with Jacobi's \

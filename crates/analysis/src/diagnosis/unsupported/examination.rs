@@ -382,25 +382,22 @@ impl Examination {
             Some(own) => [short(own.missing), readable(1e3 * own.off, DIGITS)],
             None => ["–".into(), "–".into()],
         };
-        let unchanged = of_run(UNCHANGED);
-        let named = |what: &str| match (of_run(what), unchanged) {
-            (Some(own), Some(unchanged)) if own.off > unchanged.off => format!("{what} (farther)"),
-            _ => what.to_string(),
+        let cost = |work: f64| match work.is_nan() {
+            true => "–".into(),
+            false => readable(work, DIGITS),
         };
         let row = |own: &&Remedy| {
-            let work = match own.work.is_nan() {
-                true => "–".into(),
-                false => readable(own.work, DIGITS),
-            };
-            let solve = [named(&own.what), short(own.missing), work];
+            let solve = [own.what.clone(), short(own.missing), cost(own.work)];
             solve.into_iter().chain(run(of_run(&own.what))).collect()
         };
         let mut rows: Vec<Vec<String>> = tried.iter().map(row).collect();
         let is_new = |own: &&RemedyEffect| tried.iter().all(|remedy| remedy.what != own.what);
         rows.extend(self.remedy_effects.iter().filter(is_new).map(|own| {
-            let error = if own.what == UNCHANGED { short(now) } else { "–".into() };
-            let solve = [named(&own.what), error, "–".into()];
-            solve.into_iter().chain(run(Some(own))).collect()
+            let solve = match self.unsupported.as_ref().filter(|_| own.what == UNCHANGED) {
+                Some(found) => [short(found.missing), cost(found.work)],
+                None => ["–".into(), "–".into()],
+            };
+            [own.what.clone()].into_iter().chain(solve).chain(run(Some(own))).collect()
         }));
         if rows.is_empty() && useless.is_empty() {
             return None;

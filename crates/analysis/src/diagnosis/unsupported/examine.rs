@@ -2,6 +2,7 @@
 
 use lcplab_lcp::merit;
 use lcplab_lcp::number::counted;
+use lcplab_solver::trace::Work;
 use lcplab_solver::{Entry, Group, Options, Order, Pgs, Registry, Solution, Solver, Start, Status};
 
 use super::cause::{Moving, Slow};
@@ -91,6 +92,8 @@ pub struct UnsupportedLoad {
     pub solver: String,
     /// The number of its sweeps, pivots or steps.
     pub iterations: usize,
+    /// Their cost in multiplications; NaN if unknown.
+    pub work: f64,
     /// The name of one of them.
     pub unit: &'static str,
     /// The status that the solver reported.
@@ -135,7 +138,8 @@ pub fn examine(
 ) -> Option<UnsupportedLoad> {
     let lcp = &frame.lcp;
     let own = start.map_or_else(Start::default, Start::at);
-    let Solution { x, status, iterations, .. } = user_solver.solver().solve(lcp, &own, &mut ());
+    let mut work = Work::of(&user_solver.entry, lcp);
+    let Solution { x, status, iterations, .. } = user_solver.solver().solve(lcp, &own, &mut work);
     let reference = ReferenceSolution::of(frame)?;
     let linear = Linear::new(lcp, &reference);
     let zero = super::reference::start(lcp);
@@ -151,6 +155,7 @@ pub fn examine(
         part: frame.part.clone(),
         solver: user_solver.entry.name.to_string(),
         iterations,
+        work: work.multiplications,
         unit: user_solver.unit(),
         status,
         residual: merit::scaled_residual(lcp, &x),
