@@ -33,8 +33,8 @@ pub enum Arrows {
     Hidden,
     /// The forces of the frames, and the contact points.
     Shown,
-    /// What the frames have in the place of forces, without a scale.
-    Plain,
+    /// What the frames have instead of forces: displacements in m, at the scale of the bodies.
+    Displacements,
 }
 
 /// Several instants of a motion side by side, seen by one camera at one scale.
@@ -331,7 +331,11 @@ impl Figure for Strip {
         let lens = |window: &Window| Layout::new(window, width, count, widest).lens(camera, window);
         let first = lens(&window);
         let shown = self.arrows != Arrows::Hidden && most.iter().any(|most| *most > 0.0);
-        let newton = if shown { arrow::scale(1.0, &first) } else { 0.0 };
+        let newton = match self.arrows {
+            Arrows::Displacements => first.scale * most.iter().copied().fold(0.0, f64::max),
+            _ if shown => arrow::scale(1.0, &first),
+            _ => 0.0,
+        };
         // The picture contains the arrows.
         let window = window.containing(arrow::tips(all.iter(), 1.0, &first, newton));
         let layout = Layout::new(&window, width, count, widest);

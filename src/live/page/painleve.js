@@ -84,8 +84,8 @@ function drawSlip() {
   }
   chart += svg("text", { x: left + 0.875 * (right - left), y: zero + 20, "text-anchor": "middle" }, "time");
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
-  const again = speeds.findIndex((speed, k) => k > 1 && speed > 0 && speeds[k - 1] === 0), landing = frames.findIndex(({ x }) => x[2] > 0);
-  for (const [k, y, words] of [[again, zero - 8, "slides again"], [landing, top + 4, "upper end lands"]]) {
+  const again = speeds.findIndex((speed, k) => speed > 0.01 && speeds.indexOf(0, 1) > 0 && k > speeds.indexOf(0, 1)), landing = frames.findIndex(({ x }) => x[2] > 0);
+  for (const [k, y, words] of [[again, zero - 8, "slides again"], [landing, top + 26, "upper end lands"]]) {
     if (k > 0) chart += svg("text", { x: at(k)[0] - 6, y, "text-anchor": "end", class: "faint" }, words);
   }
   const [cx, cy] = at(state.step);
@@ -105,7 +105,7 @@ function drawWords() {
     lines.push(parts.map((part) => part.replaceAll(" ", "\u00a0")).join(", "));
   }
   find("#words").textContent = lines.join("\n");
-  const says = { 0: "There is no solution: friction turns the end into the floor faster than the normal force can lift it, however large the force is.", 1: "There is one solution for the contact force.", 2: "There are two solutions: the end leaves the floor, or stays on it." }[forces.length];
+  const says = { 0: "There is no solution: friction turns the end into the floor faster than the normal force can lift it, however large the force is.", 1: "There is one solution.", 2: "There are two solutions: the end leaves the floor, or stays on it." }[forces.length];
   find("#says").textContent = `${says} The critical friction coefficient at this angle is ${digits(rod.critical)}.`;
   find("#says").className = `says ${["bad", "good", "caution"][forces.length]}`;
 }

@@ -1,5 +1,5 @@
 const USUAL = { masses: [1, 1, 1, 1, 1], solver: "pgs", omega: 1.3, sweeps: 10, backward: false, warm: false, at: 0 };
-const SWEEPS = ["pgs", "jacobi", "sor"], DT = 0.01, SIZE = 0.2, MOST = 8;
+const SWEEPS = ["pgs", "jacobi", "sor"], DT = 0.01, SIZE = 0.2, MOST = 8, MIDDLE = 100;
 const OWN = { masses: list(MOST, 0.1, 1000), sweeps: integer(1, 60), at: count };
 
 let state = USUAL, ask, problem, exact, trace, moves, animation, timer;
@@ -42,22 +42,23 @@ function drawStack() {
   let picture = svg("rect", { x: 0, y: ground, width: 420, height: 6, style: "fill:var(--faint)" });
   state.masses.forEach((mass, i) => {
     const wide = width(mass), y = ground - (i + 1) * height - sunk[i] * scale;
-    picture += svg("rect", { x: 130 - wide / 2, y: y + 1, width: wide, height: height - 2, rx: 3, style: "fill:var(--box);fill-opacity:0.8;stroke:var(--faint)" });
-    picture += svg("text", { x: 130, y: y + height / 2 + 5, "text-anchor": "middle" }, `${mass} kg`);
-    picture += svg("circle", { cx: 130 + wide / 2, cy: y + height / 2, r: 9, class: "handle", id: `mass${i}`, role: "slider", "aria-label": `mass of box ${i}`, "aria-valuenow": mass, "aria-valuemin": 0.1, "aria-valuemax": 1000 });
+    picture += svg("rect", { x: MIDDLE - wide / 2, y: y + 1, width: wide, height: height - 2, rx: 3, style: "fill:var(--box);fill-opacity:0.8;stroke:var(--faint)" });
+    picture += svg("text", { x: MIDDLE, y: y + height / 2 + 5, "text-anchor": "middle" }, `${mass} kg`);
+    picture += svg("circle", { cx: MIDDLE + wide / 2, cy: y + height / 2, r: 9, class: "handle", id: `mass${i}`, role: "slider", "aria-label": `mass of box ${i}`, "aria-valuenow": mass, "aria-valuemin": 0.1, "aria-valuemax": 1000 });
   });
   state.masses.forEach((_, i) => {
-    const y = ground - i * height - 16 - (i > 0 ? sunk[i - 1] * scale : 0), long = (v) => Math.max(0, Math.min(1.2, v / most)) * 120;
+    const y = ground - i * height - 16 - (i > 0 ? sunk[i - 1] * scale : 0), long = (v) => Math.max(0, Math.min(1.2, v / most)) * 90;
     const isLast = !animation && moves[state.at].row === i;
-    picture += svg("rect", { x: 270, y, width: long(x[i]), height: 12, style: `fill:${isLast ? "var(--two)" : "var(--one)"}` });
-    picture += svg("rect", { x: 270, y, width: long(exact[i]), height: 12, style: "fill:none;stroke:var(--ink)" });
-    picture += svg("text", { x: 264, y: y + 11, "text-anchor": "end", class: "faint" }, `${short(x[i], 3)} of ${short(exact[i], 3)}`);
+    picture += svg("rect", { x: 256, y, width: long(x[i]), height: 12, style: `fill:${isLast ? "var(--two)" : "var(--one)"}` });
+    picture += svg("rect", { x: 256, y, width: long(exact[i]), height: 12, style: "fill:none;stroke:var(--ink)" });
+    picture += svg("text", { x: 250, y: y + 11, "text-anchor": "end", class: "faint" }, short(x[i], 3));
+    picture += svg("text", { x: 262 + Math.max(long(x[i]), long(exact[i])), y: y + 11 }, short(exact[i], 3));
   });
   const focus = document.activeElement?.id;
   find("#stack").innerHTML = picture;
   state.masses.forEach((mass, i) => {
     const set = (value) => { stop(); change({ masses: state.masses.map((own, k) => (k === i ? tidy(value) : own)), at: 0 }); };
-    draggable(find(`#mass${i}`), find("#stack"), (px) => set(massOf(2 * (px - 130))), (dx, dy) => set(mass * 10 ** (0.1 * (dx - dy))));
+    draggable(find(`#mass${i}`), find("#stack"), (px) => set(massOf(2 * (px - MIDDLE))), (dx, dy) => set(mass * 10 ** (0.1 * (dx - dy))));
   });
   if (focus?.startsWith("mass")) find(`#${focus}`)?.focus();
 }
@@ -65,7 +66,7 @@ function drawStack() {
 function drawPlot() {
   const step = moves[state.at].step, residuals = trace.steps.map(({ residual }) => number(residual)), last = Math.max(10, isSweep() ? 60 : trace.steps.length - 1);
   // As many decades as the residuals have, two to ten.
-  const decades = 2 * Math.min(5, Math.max(1, Math.ceil(-Math.log10(Math.max(Math.min(...residuals), 1e-12)) / 2 - 1e-9)));
+  const decades = 2 * Math.min(5, Math.max(1, Math.ceil(-Math.log10(Math.max(Math.min(...residuals), 1e-12)) / 2 - 0.1)));
   const px = (k) => 46 + k / last * 360, py = (r) => 16 + Math.min(decades, Math.max(0, -Math.log10(Math.max(r, 1e-12)))) * 250 / decades;
   let picture = "";
   for (let power = 0; power <= decades; power += 2) {

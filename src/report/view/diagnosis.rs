@@ -178,7 +178,7 @@ fn pattern(scene: &Scene, frame: &Problem, slowest: &Slowest, place: usize) -> R
     }
     let labels = ["arrows: displacements", "displaced bodies"];
     let mut strip = Strip::new(scene, vec![rest, moving]).named("pattern").labelled(labels);
-    strip.arrows = Arrows::Plain;
+    strip.arrows = Arrows::Displacements;
     strip.title = format!(
         "A sweep of Gauss-Seidel removes {} of the slowest error pattern",
         percent(1.0 - slowest.rate)

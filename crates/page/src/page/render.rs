@@ -68,6 +68,13 @@ struct FigureView<'a> {
     caption: String,
 }
 
+impl FigureView<'_> {
+    /// Whether it takes both columns of a printed sheet.
+    fn is_broad(&self) -> bool {
+        self.figure.narrow.is_none() || self.figure.svg.contains(" class=\"broad\"")
+    }
+}
+
 /// What the blocks contain after this number of figures and of tables: text, and their numbers.
 fn contents<'a>(
     blocks: impl Iterator<Item = &'a Block> + Clone,

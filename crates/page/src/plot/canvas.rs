@@ -21,12 +21,8 @@ const BOLD: f64 = 1.17;
 /// The height of a line of the title in px.
 const LINE: f64 = 22.0;
 
-/// A picture whose height is above this multiple of its width is too tall for a column of a printed
-/// page, which then has the wide picture.
-const TALL: f64 = 3.0;
-/// A wide picture whose height is above this part of its width has small letters if its height is
-/// limited on a printed page.
-const SQUARE: f64 = 0.75;
+/// A wide picture whose height is above this part of its width takes both columns of a printed sheet.
+const BROAD: f64 = 0.85;
 
 /// The drawing area of plotters.
 pub type Layer<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -175,13 +171,8 @@ impl Canvas {
     pub fn finish(self, id: &str, title: &str, description: &str) -> String {
         let title = if title.is_empty() { description } else { title };
         let (id, title, description) = (escape(id), escape(title), escape(description));
-        let is_tall = self.height > TALL * self.width;
-        let is_square = self.width >= WIDTH && self.height > SQUARE * self.width;
-        let class = match (is_tall, is_square) {
-            (true, _) => " class=\"tall\"",
-            (false, true) => " class=\"square\"",
-            (false, false) => "",
-        };
+        let is_broad = self.width >= WIDTH && self.height > BROAD * self.width;
+        let class = if is_broad { " class=\"broad\"" } else { "" };
         // To a screen reader an image is one thing, so that links in it could not be reached.
         let role = if self.body.contains("<a ") { "group" } else { "img" };
         format!(

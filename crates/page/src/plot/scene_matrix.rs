@@ -14,7 +14,7 @@ pub const SCENE: (f64, f64) = (240.0, 400.0);
 const GAP: f64 = 18.0;
 const TOP: f64 = 58.0;
 /// The maximum width of a factor with its indices in px.
-const FACTOR: f64 = 320.0;
+const FACTOR: f64 = 260.0;
 /// The height of the names of the colors in px.
 const KEY: f64 = 34.0;
 /// The matrix stands beside the scene if at least this width is left for it.
