@@ -86,7 +86,7 @@ impl Raster {
         match self.block {
             0 | 1 => String::new(),
             block => {
-                format!("; a cell is {block} × {block} entries, darker if more of them are nonzero")
+                format!("; cells of {block} × {block}, darker if more are nonzero")
             }
         }
     }

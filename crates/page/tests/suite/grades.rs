@@ -29,7 +29,6 @@ fn groups_stand_side_by_side_or_on_a_narrow_picture_one_below_the_other() {
     let [left, right] = heights(&matrix().svg());
     assert_eq!(left, right);
     let narrow = matrix().narrow().unwrap();
-    assert!(!narrow.contains("class=\"tall\""));
     let [upper, lower] = heights(&narrow);
     assert!(upper + 21.0 < lower, "{upper}, {lower}");
     // Each group has its own row of the law, with its own cells: 3 in one, 2·10⁴ in the other.
@@ -37,11 +36,11 @@ fn groups_stand_side_by_side_or_on_a_narrow_picture_one_below_the_other() {
     let first = narrow.find(">3<").unwrap();
     assert!(first < narrow.find(">accurate<").unwrap());
     assert!(narrow.rfind("#ffffff\">").unwrap() > narrow.find(">accurate<").unwrap());
-    // With sixty laws it is too tall for a column of a printed page.
+    // With sixty laws it takes both columns of a printed page.
+    assert!(!matrix().svg().contains("class=\"broad\""));
     let mut long = matrix();
     long.rows = vec![long.rows[0].clone(); 60];
-    assert!(long.narrow().unwrap().contains("class=\"tall\""));
-    assert!(!long.svg().contains("class=\"tall\""));
+    assert!(long.svg().contains("class=\"broad\"") && !long.narrow().unwrap().contains("broad"));
 }
 
 #[test]
