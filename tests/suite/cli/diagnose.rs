@@ -15,7 +15,7 @@ fn a_page_shows_animation_pattern_and_sweeps_and_the_problems_lie_beside_it() {
     let page = std::fs::read_to_string(&page).unwrap();
     for part in [
         "Cause: mass ratio",
-        "The error pattern of Gauss-Seidel that decays most slowly",
+        "of the slowest error pattern",
         "of the error is left with pgs",
         "distance (mm)",
     ] {

@@ -21,7 +21,7 @@ const BOLD: f64 = 1.17;
 /// The height of a line of the title in px.
 const LINE: f64 = 22.0;
 
-/// A wide picture whose height is above this part of its width takes both columns of a printed sheet.
+/// A wide picture whose height is above this part of its width takes both columns of a sheet.
 const BROAD: f64 = 0.85;
 
 /// The drawing area of plotters.
