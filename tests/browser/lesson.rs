@@ -20,7 +20,7 @@ fn a_live_page_opens_where_it_is_read_with_the_state_of_the_link() {
         const before = find('#says', inside).textContent;
         const slider = find('#mu', inside); slider.value = 1.5; slider.dispatchEvent(new inside.defaultView.Event('input'));
         await wait(400);
-        return [find('#theta', inside).value, before.startsWith('One solution'), find('#says', inside).textContent.startsWith('No solution'), frame.offsetHeight > 600];";
+        return [find('#theta', inside).value, before.startsWith('There is one'), find('#says', inside).textContent.startsWith('There is no'), frame.offsetHeight > 600];";
     let found = lesson("13", "13_painleve.html").seen(1280, script);
     assert_eq!(found, json!(["63", true, true, true]));
 }
