@@ -25,7 +25,7 @@ const ENTRY: usize = SHADES.len() - 2;
 /// // The diagonal of a 4 × 4 matrix, in 2 × 2 cells.
 /// let raster = Raster::new((4, 4), 2, |mark| (0..4).for_each(|i| mark(i, i)));
 /// assert_eq!((raster.block, raster.nonzeros, raster.fill()), (2, 4, 25.0)); // 4 of 16
-/// assert!(raster.key().contains("2 × 2 entries"));
+/// assert!(raster.key().contains("cells of 2 × 2"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Raster {
