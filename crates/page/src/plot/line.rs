@@ -1,6 +1,6 @@
 //! Line charts over a common x axis, in one panel or several stacked ones.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use plotters::prelude::*;
 
@@ -18,6 +18,7 @@ use super::simplify::simplified;
 use super::style::{self, FAINT_INK, GRID, INK, TEXT, width};
 use crate::csv;
 use crate::figure::Figure;
+use crate::number::readable;
 
 /// The space right of the plots in px.
 pub(super) const MARGIN: f64 = 12.0;
@@ -98,6 +99,18 @@ impl Lines {
         }
         self
     }
+
+    /// Ticks at the data, if all of them are at whole numbers of a linear x axis.
+    fn whole_numbers(&self) -> Option<Vec<Tick>> {
+        let series = self.panels.iter().flat_map(|panel| &panel.series);
+        let mut data = BTreeSet::new();
+        for (at, _) in series.flat_map(|series| &series.points) {
+            let is_whole = self.x.scale == Scale::Linear && at.fract() == 0.0;
+            data.insert(is_whole.then_some(*at as i64)?);
+        }
+        let tick = |at: i64| Tick { at: at as f64, label: readable(at as f64, 16) };
+        Some(data.into_iter().map(tick).collect())
+    }
 }
 
 impl Figure for Lines {
@@ -148,7 +161,9 @@ impl Figure for Lines {
         let header = header + lower;
         legend.draw(&mut canvas, lower);
 
-        let columns = self.x.scale.ticks(x, ((wide - room) / TICK) as usize);
+        let wanted = ((wide - room) / TICK) as usize;
+        let at_data = self.whole_numbers().filter(|data| data.len() <= wanted);
+        let columns = at_data.unwrap_or_else(|| self.x.scale.ticks(x, wanted));
         let ranges = self.panels.iter().zip(&heights).map(|(panel, plot)| {
             let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
             (y, panel.y.scale.ticks(y, if *plot > 250.0 { 8 } else { 5 }))
