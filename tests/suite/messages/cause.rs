@@ -26,7 +26,7 @@ fn cause(name: &str, level: Scheme, change: impl FnOnce(&mut Scene)) -> Cause {
 fn every_end_of_a_motion_is_reached_and_named_with_its_row_or_body() {
     let midpoint = |scene: &mut Scene| {
         scene.step.integrator = Integrator::ImplicitMidpoint;
-        scene.step.alpha = 1000.0; // repetition contracts only below 2/dt = 200/s
+        scene.step.dt = 1.0; // almost half of a period
     };
     let stopped = || {
         let stop = Stop::default();

@@ -7,8 +7,8 @@
 //! implicit midpoint   k = f(y + h/2 k);   y⁺ = y + h k
 //! ```
 //!
-//! The midpoint's equation is solved by repetition with the secant of the last two iterates (Anderson
-//! acceleration, depth 1): g = f(y + h/2 k), r = g − k, and
+//! The midpoint's equation is solved by repetition with the secant of the last two iterates
+//! (Anderson acceleration, depth 1): g = f(y + h/2 k), r = g − k, and
 //!
 //! ```text
 //! k ← g − θ (g − g'),   θ = r·(r − r') / |r − r'|²;   g', r' of the previous iterate

@@ -105,7 +105,7 @@ impl Lines {
         let series = self.panels.iter().flat_map(|panel| &panel.series);
         let mut data = BTreeSet::new();
         for (at, _) in series.flat_map(|series| &series.points) {
-            let is_whole = self.x.scale == Scale::Linear && at.fract() == 0.0;
+            let is_whole = self.x.scale == Scale::Linear && at.fract() == 0.0 && at.abs() < 1e6;
             data.insert(is_whole.then_some(*at as i64)?);
         }
         let tick = |at: i64| Tick { at: at as f64, label: readable(at as f64, 16) };
