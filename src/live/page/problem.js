@@ -1,10 +1,11 @@
 const EXAMPLES = {
-  "three balls (Figure 7)": { name: "Figure 7", A: { dense: [[1, -1, 0], [-1, 2, -1], [0, -1, 2]] }, b: [-1, -1, 1] },
+  "three balls (Figure 7), velocity level": { name: "Figure 7", A: { dense: [[1, -1, 0], [-1, 2, -1], [0, -1, 2]] }, b: [-1, -1, 1] },
   "a chain of ten": { name: "a chain of ten", A: { dense: Array.from({ length: 10 }, (_, i) => Array.from({ length: 10 }, (_, j) => (i === j ? 2 : Math.abs(i - j) === 1 ? -1 : 0))) }, b: Array(10).fill(-1) },
   "a contact with friction, pushed": { name: "a contact with friction", A: { dense: [[2, 0, 0.5], [0, 1, 0], [0.5, 0, 1]] }, b: [-2, -1.5, -0.5], friction_index: [-1, 0, 0], mu: [0, 0.5, 0.5] },
   "two solutions": { name: "two solutions", A: { dense: [[2, -3], [-3, 2]] }, b: [1, 1.5] },
   "no solution": { name: "no solution", A: { dense: [[1, -1], [-1, 1]] }, b: [-1, 0] },
 };
+const CLAIMS = { "no-solution": "no solution", unique: "exactly one solution", "not-unique": "two solutions", solution: "an exact solution" };
 const USUAL = { example: Object.keys(EXAMPLES)[0], solver: "", step: Infinity, lines: 0, problem: "" };
 
 let state = USUAL, ask, problem, solved, timer;
@@ -65,9 +66,13 @@ function drawChart() {
     picture += svg("path", { d: "M14 196l7 -5l7 5l7 -5", class: "contour" }); // the axis is broken
   }
   picture += svg("polyline", { points: values.map((v, k) => place(v, k).map((u) => u.toFixed(1)).join(",")).join(" "), class: "path" });
-  values.forEach((v, k) => { if (v === 0) { const [x, y] = place(0, k); picture += svg("circle", { cx: x, cy: y, r: 5, class: "solution" }); } });
+  const last = values.length - 1;
+  values.forEach((v, k) => {
+    const [cx, cy] = place(v, k);
+    if (v === 0 || last <= 20) picture += svg("circle", { cx, cy, ...(v === 0 ? { r: 5, class: "solution" } : { r: 3, class: "dot" }) });
+    if (k % Math.ceil(last / 10 || 1) === 0) picture += svg("text", { x: cx, y: 234, class: "faint", "text-anchor": "middle" }, k);
+  });
   if (values.length) { const [cx, cy] = place(values[state.step], state.step); picture += svg("circle", { cx, cy, r: 5, class: "here" }); }
-  picture += svg("text", { x: 410, y: 234, class: "faint", "text-anchor": "end" }, values.length ? `step ${values.length - 1}` : "");
   find("#chart").innerHTML = picture;
 }
 
@@ -80,8 +85,8 @@ function drawRows() {
 }
 
 function drawSays() {
-  const { error, answer, warnings } = solved;
-  find("#says").textContent = error ?? [`${answer.solver}: ${answer.message}`, `Verdict: ${solved.judge.split("\n")[0].replace("verdict", "").trim()}.`, ...warnings].join(". ").replace("..", ".");
+  const { error, answer, warnings, steps } = solved, last = steps?.length - 1;
+  find("#says").textContent = error ?? [`${answer.solver} ${answer.message === "solved" ? `solved it in ${last} step${last === 1 ? "" : "s"}` : `stopped: ${answer.message}`}; ${solved.judge.split("\n")[0].replace("verdict", "").trim()}`, ...warnings].join(". ");
   find("#says").className = `says ${error || answer.verdict === "not_a_solution" ? "bad" : answer.verdict === "proved" ? "good" : "caution"}`;
 }
 
@@ -93,7 +98,13 @@ function paragraph(text) {
 // A formula whose matrices have brackets of several lines, as MathML. All of them cross the middle line.
 function typeset(text) {
   const lines = text.replace(/^\n+|\n+$/g, "").split("\n"), middle = lines[(lines.length - 1) >> 1];
-  const word = (text) => svg(/^[\d.,−×∞⁰¹²³⁴-⁹⁻/]+$/.test(text) ? "mn" : /^[=+−≤≥<>·∓±]+$/.test(text) ? "mo" : "mi", {}, text.replace(/&/g, "&amp;").replace(/</g, "&lt;"));
+  const atom = (text) => svg(/^[\d.,−×∞⁰¹²³⁴-⁹⁻/]+$/.test(text) ? "mn" : /^[=+−≤≥<>·∓±]+$/.test(text) ? "mo" : "mi", {}, text.replace(/&/g, "&amp;").replace(/</g, "&lt;"));
+  // −A_FF⁻¹, has a sign, a name, a subscript, an inverse and a comma.
+  const word = (text) => {
+    const [, sign, name, low, inverse, comma] = text.match(/^(−(?=\p{L}))?(.*?)(?:_(\w+))?(⁻¹)?(,?)$/u);
+    const indexed = low ? svg("msub", {}, atom(name) + atom(low)) : name && atom(name);
+    return (sign ? "<mo>−</mo>" : "") + (inverse ? svg("msup", {}, svg("mrow", {}, indexed) + "<mn>−1</mn>") : indexed) + (comma && "<mo>,</mo><mspace width='1em'></mspace>");
+  };
   const words = (text) => text.split(" ").filter(Boolean).map(word).join("");
   let out = "", end = 0;
   for (const { 0: own, index } of middle.matchAll(/[[⎡⎢⎣][^\]⎤⎥⎦]*[\]⎤⎥⎦]/g)) {
@@ -159,8 +170,8 @@ function judge() {
 }
 function prove() {
   const x = parse(find("#x").value), { error, proof, missing } = Array.isArray(x) ? ask({ ask: "prove", problem, x: x.map(Number) }) : { error: "x: expected a list of numbers" };
-  const why = (missing ?? []).map(([kind, reason]) => `not ${kind}: ${reason}`);
-  setLines(find("#proof"), error ?? [proof ? `${proof.kind}: ${proof.sentence}` : "Nothing could be proved.", ...why].join("\n"));
+  const why = (missing ?? []).map(([kind, reason]) => `Not proved: ${CLAIMS[kind] ?? kind} (${reason})`);
+  setLines(find("#proof"), error ?? [proof ? `Proved: ${proof.sentence}` : "Nothing could be proved.", ...why].join("\n"));
   find("#proof").hidden = false;
   find("#save").hidden = !proof;
   if (proof) find("#save").href = `data:application/json,${encodeURIComponent(JSON.stringify(proof.file))}`;
