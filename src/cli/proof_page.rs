@@ -2,8 +2,9 @@
 
 use dashu_ratio::RBig;
 use lcplab::lcp::file::Problem;
+use lcplab::lcp::friction::Model;
 use lcplab::lcp::{Lcp, Question};
-use lcplab::number::readable;
+use lcplab::number::{counted, readable};
 use lcplab::page::{self, Block, Cell, Page, Picture, Section, Table};
 use lcplab::plot::{Axis, Lines, Series};
 use lcplab::proof::{Claim, Entry, Kind, Proof, Reason, Tree, Vector};
@@ -57,11 +58,22 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
         }
         _ => "",
     };
+    let subject = match proof.claim {
+        Claim::NotUnique { .. } => "Two solutions for",
+        Claim::Unique { .. } => "The only solution for",
+        Claim::NoSolution { .. } => "No solution for",
+        Claim::Solution { .. } => "An exact solution for",
+        _ => "A proof about",
+    };
+    let limits = match proof.model {
+        Some(Model::CoupledBox) => " (each friction component limited separately)",
+        _ => "",
+    };
+    let stronger = if is_strongest { "" } else { " lcplab found no proof of anything stronger." };
     Page {
-        title: format!("A proof about {name}"),
+        title: format!("{subject} {name}"),
         lead: format!(
-            "**Proved: {sentence}.**{meaning} This is the strongest statement that lcplab proves about this \
-             complementarity problem of {rows} rows.",
+            "**Proved: {sentence}{limits}.**{meaning} The problem has {rows} rows.{stronger}"
         ),
         opening: opening.map(Block::Figure).into_iter().collect(),
         sections,
@@ -159,9 +171,17 @@ fn drawing(problem: &Problem, points: &[Vec<RBig>], shown: &[usize]) -> Picture 
             (format!("x is at a bound in {at_bound} of {} rows", shown.len()), "x")
         }
     };
-    let caption =
-        "A gray line connects the lower and the upper limit of a row, if both are finite.";
-    let axes = (Axis::linear("row", ""), Axis::linear(name, unit));
+    let others = counted(problem.lcp.len() - shown.len(), "other row");
+    let caption = match floats.len() {
+        2 if shown.len() < problem.lcp.len() => {
+            format!("x, y: two exact solutions, equal in the {others}.")
+        }
+        2 => "x, y: two exact solutions.".into(),
+        _ => String::new(),
+    };
+    let caption = caption + " Gray: from the lower to the upper limit, if both are finite.";
+    let names = (0..problem.lcp.len()).map(|i| label(problem, i)).collect();
+    let axes = (Axis { names, ..Axis::linear("row", "") }, Axis::linear(name, unit));
     Picture::inline(&Lines::new("solutions", title, caption, axes.0, axes.1, series))
 }
 

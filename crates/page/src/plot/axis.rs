@@ -24,6 +24,8 @@ pub struct Axis {
     pub scale: Scale,
     /// Whether a unit has the same length on this axis as on a linear x axis.
     pub is_to_scale: bool,
+    /// Names of the numbers 0, 1, 2, … of an x axis, if it has names.
+    pub names: Vec<String>,
 }
 
 /// The scale of an axis.
@@ -55,12 +57,18 @@ pub struct Tick {
 impl Axis {
     /// A linear axis.
     pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, is_to_scale: false }
+        Axis {
+            label: label.into(),
+            unit: unit.into(),
+            scale: Scale::Linear,
+            is_to_scale: false,
+            names: Vec::new(),
+        }
     }
 
     /// A logarithmic axis.
     pub fn log(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), scale: Scale::Log, is_to_scale: false }
+        Axis { scale: Scale::Log, ..Axis::linear(label, unit) }
     }
 
     /// A linear axis, or a symmetric one if the largest of these magnitudes, one of each curve,

@@ -26,6 +26,9 @@ pub(super) const MARGIN: f64 = 12.0;
 /// The width for a tick on the x axis in px.
 const TICK: f64 = 90.0;
 
+/// The gap between two named ticks in px.
+const BESIDE: f64 = 10.0;
+
 /// The distance from one panel to the next in px.
 const BETWEEN: f64 = 44.0;
 
@@ -100,16 +103,25 @@ impl Lines {
         self
     }
 
-    /// Ticks at the data, if all of them are at whole numbers of a linear x axis.
-    fn whole_numbers(&self) -> Option<Vec<Tick>> {
+    /// Ticks at the data, if all of them are at whole numbers of a linear x axis: with their names
+    /// if these have space (px per unit), otherwise with the numbers.
+    fn whole_numbers(&self, space: f64) -> Option<Vec<Tick>> {
         let series = self.panels.iter().flat_map(|panel| &panel.series);
         let mut data = BTreeSet::new();
         for (at, _) in series.flat_map(|series| &series.points) {
             let is_whole = self.x.scale == Scale::Linear && at.fract() == 0.0 && at.abs() < 1e6;
             data.insert(is_whole.then_some(*at as i64)?);
         }
-        let tick = |at: i64| Tick { at: at as f64, label: readable(at as f64, 16) };
-        Some(data.into_iter().map(tick).collect())
+        let name = |at: &i64| self.x.names.get(usize::try_from(*at).ok()?);
+        let gaps = data.iter().zip(data.iter().skip(1)).map(|(a, b)| b - a);
+        let least = space * gaps.min().unwrap_or(i64::MAX) as f64;
+        let is_named =
+            data.iter().all(|at| name(at).is_some_and(|own| width(own, TEXT) + BESIDE < least));
+        let label = |at: i64| match name(&at).filter(|_| is_named) {
+            Some(name) => name.clone(),
+            None => readable(at as f64, 16),
+        };
+        Some(data.into_iter().map(|at| Tick { at: at as f64, label: label(at) }).collect())
     }
 }
 
@@ -162,7 +174,9 @@ impl Figure for Lines {
         legend.draw(&mut canvas, lower);
 
         let wanted = ((wide - room) / TICK) as usize;
-        let at_data = self.whole_numbers().filter(|data| data.len() <= wanted);
+        let space = (wide - MARGIN - room - LABELS) / (x.1 - x.0);
+        let wanted_at_data = wanted.max(if self.x.names.is_empty() { 0 } else { 8 });
+        let at_data = self.whole_numbers(space).filter(|data| data.len() <= wanted_at_data);
         let columns = at_data.unwrap_or_else(|| self.x.scale.ticks(x, wanted));
         let ranges = self.panels.iter().zip(&heights).map(|(panel, plot)| {
             let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
@@ -388,6 +402,7 @@ fn draw_grid(canvas: &mut Canvas, frame: &Frame, columns: &[Tick], rows: &[Tick]
     }
     for tick in columns.iter().filter(|_| labels) {
         let (x, _) = frame.place((tick.at, frame.y.0));
+        let x = x.min(frame.right + MARGIN - 0.5 * width(&tick.label, TEXT));
         canvas.text((x, frame.bottom + 19.0), Anchor::Middle, TEXT, FAINT_INK, &tick.label);
     }
 }

@@ -86,6 +86,9 @@ impl Marker {
             Marker::Tick => [(-0.8, -5.5), (0.8, -5.5), (0.8, 5.5), (-0.8, 5.5)]
                 .map(|(dx, dy)| (x + dx, y + dy))
                 .to_vec(),
+            Marker::Cap => [(-12.0, -1.5), (12.0, -1.5), (12.0, 1.5), (-12.0, 1.5)]
+                .map(|(dx, dy)| (x + dx, y + dy))
+                .to_vec(),
             Marker::Plus => {
                 let (long, short) = (1.25 * R, 0.42 * R);
                 let quarter = [(short, -long), (short, -short), (long, -short), (long, short)];

@@ -79,9 +79,11 @@ pub enum Marker {
     Plus,
     /// A thin upright bar.
     Tick,
+    /// A thin level bar, wider than the others.
+    Cap,
 }
 
-const MARKERS: [Marker; 7] = [
+const MARKERS: [Marker; 8] = [
     Marker::Circle,
     Marker::Square,
     Marker::Triangle,
@@ -89,6 +91,7 @@ const MARKERS: [Marker; 7] = [
     Marker::Wedge,
     Marker::Plus,
     Marker::Tick,
+    Marker::Cap,
 ];
 
 /// The look of a line or bar.
@@ -153,7 +156,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("rk4", (116, 13, 23), 5, 3),
     ("active_set_of_pgs_changes", (0, 94, 170), 0, 6),
     ("exact", BLACK, 0, 0),
-    ("limits", (160, 166, 176), 0, 1),
+    ("limits", (140, 146, 156), 0, 7),
     ("gauss_seidel_sweeps", BLUE, 0, 0),
     ("printed", VERMILION, 1, 1),
     ("corrected", BLUE, 0, 0),
