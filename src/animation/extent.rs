@@ -13,6 +13,8 @@ const FARTHEST: f64 = 100.0;
 /// How much of a fixed body is shown around the motion, relative to the motion's size.
 const AROUND: f64 = 0.1;
 
+/// The margin around the world's ends of joints, in the diagonals of the motion.
+const PIN: f64 = 0.04;
 /// How far around the smallest of several motions the others are shown, in its diagonals.
 const NEAR: f64 = 0.4;
 /// Fixed bodies up to this many times the motion's size are shown whole.
@@ -42,7 +44,8 @@ pub(super) fn landmarks(scene: &Scene, frames: &[Frame]) -> Vec<Landmark> {
         let inside = |mark: &Landmark| limit.contains(&mark.point);
         all.extend(marks(&solids(scene, &frame.states, true)).into_iter().filter(inside));
     }
-    all.extend(pins(scene).map(|point| Landmark { point, radius: 0.0 }));
+    let radius = PIN * size(&all);
+    all.extend(pins(scene).map(|point| Landmark { point, radius }));
     let fixed = solids(scene, &scene.states, false);
     if all.is_empty() {
         return marks(&fixed);

@@ -27,6 +27,8 @@ use stage::Stage;
 
 /// Maximum number of instants in a recording, and in all recordings of an animation.
 const SAMPLES: (usize, usize) = (151, 600);
+/// The part of the largest forces from which an instant shows them.
+const CLEAR: f64 = 0.75;
 /// Number of instants in the strip shown where the animation cannot be played, of one recording
 /// and of each of several.
 const STILLS: (usize, usize) = (6, 5);
@@ -171,7 +173,7 @@ impl Animation {
     }
 
     /// The first instant to show: the one with the largest difference between recordings or, for a
-    /// single recording, with the largest forces; the first of these.
+    /// single recording, the first with forces of [`CLEAR`] times the largest ones.
     pub(crate) fn first_shown(&self) -> usize {
         if let Some(step) = self.start {
             let is_before =
@@ -195,11 +197,11 @@ impl Animation {
                 pairs.map(|(a, b)| apart(a, b)).fold(0.0, f64::max)
             }
         };
-        let instants =
-            (0..self.longest().len()).map(|k| (k, size(k))).filter(|(_, size)| size.is_finite());
-        let (first, most) =
-            instants.fold((0, 0.0), |best, own| if own.1 > best.1 { own } else { best });
-        if most > 0.0 { first } else { 0 }
+        let sizes: Vec<f64> = (0..self.longest().len()).map(size).collect();
+        let most = sizes.iter().copied().filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let enough = if self.recordings.len() == 1 { CLEAR * most } else { most };
+        let first = sizes.iter().position(|size| *size >= enough && size.is_finite());
+        first.filter(|_| most > 0.0).unwrap_or(0)
     }
 
     fn longest(&self) -> &[Sample] {

@@ -79,6 +79,7 @@ impl Stage {
         let origins: Vec<Origin> = Origin::ALL.into_iter().filter(acts).collect();
         let is_narrow = (across < ONE_LINE || columns == 1.0) && origins.len() > 1;
         let foot = FOOT + if heaviest.is_some() || is_narrow { LINE } else { 0.0 };
+        let foot = if columns == 1.0 { foot / READABLE } else { foot };
         let lens = |window: &Window| Layout::single(window, across, highest).lens(camera, window);
         let largest =
             |sample: &super::Sample| arrow::largest(std::slice::from_ref(&sample.frame), "N");

@@ -118,20 +118,19 @@ impl Record {
         if most - least <= ROUNDING * scale {
             return "the energy stays the same".into();
         }
-        let [low, high] = [least, most].map(|change| readable(change, 2));
         let part = readable(100.0 * (most - least) / self.most_kinetic, 2);
         let part = match self.most_kinetic > 0.0 {
             true => format!(" ({part} % of the largest kinetic energy)"),
             false => String::new(),
         };
-        format!("the energy changes by {low} to {high} J{part}")
+        format!("the energy varies by {} J{part}", readable(most - least, 2))
     }
 
     /// The totals of a page: without those of contacts if there were none, without the ledger, and
     /// without what its lead and its tiles state.
     pub(crate) fn page_totals(&self) -> Vec<(&'static str, String)> {
         let is_shown = |name: &str| match name {
-            "friction" | "penetration" | "laws" => self.touched,
+            "friction" | "penetration" | "laws" | "weight" => self.touched,
             "scheme" | "steps" | "energy" => false,
             "problems" => self.tally.solves == 0,
             name => name != "ledger" || self.energy_totals.is_none(),
@@ -150,20 +149,12 @@ impl Record {
         self.energy_totals.as_ref().map_or_else(String::new, EnergyTotals::balance)
     }
 
-    /// The number and the length of the steps, the scheme and the solver, and the cause of errors.
+    /// The number and the length of the steps, the scheme and the solver.
     pub(crate) fn run(&self) -> String {
         let solver = self.solver().map_or_else(String::new, |solver| format!(", solver {solver}"));
         let step = &self.scene.step;
         let steps = counted(self.steps, "step");
-        let run =
-            format!("{steps} of {} s, scheme {}{solver}", readable(step.dt, 3), step.scheme.name());
-        let [accepted, solves] = self.verdicts();
-        match accepted == solves {
-            true => {
-                format!("{run}. Errors of the motion are those of the scheme and its step length.")
-            }
-            false => format!("{run}. Errors of the motion may be the solver's."),
-        }
+        format!("{steps} of {} s, scheme {}{solver}.", readable(step.dt, 3), step.scheme.name())
     }
 
     /// What needs attention: notes, warnings, a rejected answer, and why the run ended early.

@@ -63,11 +63,18 @@ impl View for Plan {
 /// The page of one simulation: its animation and its totals; its tables are next to it.
 pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     let scene = animation.scene.clone();
-    let lead = markup::literal(&record.run());
+    let [accepted, solves] = record.verdicts();
+    let judged = match solves {
+        0 => String::new(),
+        _ => format!("The judge accepts {} of {} answers. ", count(accepted), count(solves)),
+    };
+    let [finding, run] =
+        [judged + &record.finding(), record.run()].map(|own| markup::literal(&own));
+    let lead = format!("**{finding}.** {run}");
     let page = Page { title: scene.title.clone(), lead, ..Page::default() };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     let mut animation = animation.drawn();
-    animation.title = record.finding();
+    animation.title.clear();
     let files = FILES.map(|name| (name.into(), name.into())).into();
     let player = Player { animation, caption: HOW.into(), files };
     document.page.opening = vec![Block::Tiles(tiles(record)), Block::Player(Box::new(player))];
@@ -132,6 +139,13 @@ fn at_the_end(record: &Record) -> Table {
     Table::new("Positions and velocities at the end", &note, head, rows)
 }
 
+/// The causes of a change of the energy whose names need an explanation.
+const CAUSES: [(&str, &str); 3] = [
+    ("constraint", "work of joints, whose direction turns within a step"),
+    ("bias", "correction of position errors"),
+    ("integrator", "gravity acts along the path of the step instead of the mean velocity"),
+];
+
 /// The causes of the change of the energy, and their sum.
 fn causes(record: &Record, ledger: &[(&str, f64)]) -> Table {
     let sum: f64 = ledger.iter().map(|(_, work)| work).sum();
@@ -143,7 +157,12 @@ fn causes(record: &Record, ledger: &[(&str, f64)]) -> Table {
         let text = format!("{work:.decimals$}").replace('-', "−");
         vec![Cell::text(name), Cell { text, value: Some(work), ..Cell::default() }]
     };
-    let how = format!("Over all steps. The ledger {}.", record.balance());
+    let explained = |(name, meaning): &(&str, &str)| {
+        let is_listed = ledger.iter().any(|(own, _)| own == name);
+        is_listed.then(|| format!(" *{name}*: {meaning}."))
+    };
+    let explained: String = CAUSES.iter().filter_map(explained).collect();
+    let how = format!("Over all steps.{explained} The ledger {}.", record.balance());
     let causes = ledger.iter().map(|&(name, work)| row(name, work));
     let rows = causes.chain([row("sum", sum)]).collect();
     Table::new("What changed the energy", how, "cause | #energy (J)", rows)
@@ -158,15 +177,14 @@ fn totals(record: &Record) -> Table {
         vec![Cell::text(name), Cell::text(format!("{first} {more}").trim_end())]
     };
     let totals = record.page_totals();
-    let has_laws = totals.iter().any(|(name, _)| *name == "laws");
-    let rows = totals.into_iter().map(row).collect();
     let mut how = String::from(
-        "*residual*: the largest scaled residual of an answer. *drift*: the largest error of a joint. *weight*: the \
-         part of it that contacts, joints and springs support.",
+        "*residual*: the largest scaled residual of an answer. *drift*: the largest error of a joint.",
     );
-    if has_laws {
-        how += " *laws*: the largest violations of those of contact and friction.";
+    if totals.iter().any(|(name, _)| *name == "laws") {
+        how += " *weight*: the part of it that contacts, joints and springs support. *laws*: the largest violations \
+                of those of contact and friction.";
     }
+    let rows = totals.into_iter().map(row).collect();
     Table::new("Totals of the run", how, "measure | value", rows)
 }
 
