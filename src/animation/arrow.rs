@@ -14,6 +14,8 @@ use crate::plot::canvas::hex;
 
 /// The head of an arrow in px: length and half of its width.
 const HEAD: (f64, f64) = (6.0, 2.4);
+/// The distance between the lines of two arrows, one of which continues the other, in px.
+const BESIDE: f64 = 8.0;
 /// Shorter arrows are not drawn.
 pub(super) const SHORTEST: f64 = 2.0;
 /// Length of the longest arrow in px, and as a share of the frame's smaller side.
@@ -97,20 +99,45 @@ pub(super) fn tips<'a>(
 }
 
 /// The arrows of a frame in tenths of a px, with a background outline, and a dot at every contact.
+///
+/// An arrow that continues another one is drawn beside it.
 pub(super) fn markup(forces: &[Force], lens: &Lens, scale: f64) -> String {
+    let place = |force: &Force| {
+        let tail = lens.place(&force.point);
+        (tail, lens.place(&(force.point + force.force * (scale / lens.scale))))
+    };
+    let is_drawn =
+        |(tail, tip): &(Place, Place)| lens.holds(*tail) && tip.0.is_finite() && tip.1.is_finite();
+    let mut in_line: Vec<(Place, Place)> = Vec::new();
     let mut out = String::new();
     for origin in Origin::ALL {
         let (mut shafts, mut heads) = (String::new(), String::new());
-        for force in forces.iter().filter(|force| force.origin == origin) {
-            let tail = lens.place(&force.point);
-            let tip = lens.place(&(force.point + force.force * (scale / lens.scale)));
-            if lens.holds(tail) && tip.0.is_finite() && tip.1.is_finite() {
-                add(&mut shafts, &mut heads, tail, tip, origin == Origin::Normal);
+        let own = forces.iter().filter(|force| force.origin == origin);
+        for arrow in own.map(place).filter(is_drawn) {
+            let (mut tail, mut tip) = arrow;
+            if in_line.iter().any(|other| continues(*other, arrow)) {
+                let (dx, dy) = (tip.0 - tail.0, tip.1 - tail.1);
+                let (x, y) = (-dy * BESIDE / dx.hypot(dy), dx * BESIDE / dx.hypot(dy));
+                (tail, tip) = ((tail.0 + x, tail.1 + y), (tip.0 + x, tip.1 + y));
+            } else {
+                in_line.push(arrow);
             }
+            add(&mut shafts, &mut heads, tail, tip, origin == Origin::Normal);
         }
         out += &drawn(origin, &shafts, &heads);
     }
     out
+}
+
+/// Whether two arrows lie on one line and touch.
+fn continues((a, b): (Place, Place), (c, d): (Place, Place)) -> bool {
+    let (ux, uy) = (b.0 - a.0, b.1 - a.1);
+    let square = ux * ux + uy * uy;
+    let aside = |p: Place| (ux * (p.1 - a.1) - uy * (p.0 - a.0)).abs() / square.sqrt();
+    let along = |p: Place| (ux * (p.0 - a.0) + uy * (p.1 - a.1)) / square;
+    let gap = HEAD.0 / square.sqrt();
+    let (low, high) = (along(c).min(along(d)), along(c).max(along(d)));
+    aside(c) < 1.0 && aside(d) < 1.0 && low < 1.0 + gap && high > -gap
 }
 
 /// An arrow to the right in tenths of a px, for a legend.

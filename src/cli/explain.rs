@@ -12,7 +12,7 @@ use lcplab::files;
 use lcplab::lcp::Question;
 use lcplab::lcp::friction::Model;
 use lcplab::memory::Memory;
-use lcplab::number::readable;
+use lcplab::number::{capitalized, readable};
 use lcplab::report::page::Picture;
 use lcplab::scene::{Scene, Scheme};
 use lcplab::simulation::Simulation;
@@ -119,7 +119,19 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
     let largest: Vec<String> = frames[1..].iter().filter_map(Frame::largest).collect();
     let title = match largest.is_empty() {
         true => "No contact or joint acts on the bodies".into(),
-        false => format!("Contacts and joints take {}", largest.join(", then ")),
+        false => {
+            let actors = match scene.constraints.is_empty() {
+                true => "the contacts carry",
+                false => "the contacts and joints carry",
+            };
+            let (impulses, forces): (Vec<_>, Vec<_>) =
+                largest.into_iter().partition(|own| own.ends_with("N s"));
+            let clause = |who: &str, all: Vec<String>| {
+                (!all.is_empty()).then(|| format!("{who} {}", all.join(", then ")))
+            };
+            let all = [clause("the impact takes", impulses), clause(actors, forces)];
+            capitalized(&all.into_iter().flatten().collect::<Vec<_>>().join(", then "))
+        }
     };
     let caption = match scene.step.scheme {
         Scheme::Acceleration => "The forces are those at the end of the step.",

@@ -98,10 +98,10 @@ impl<'a> Tableaux<'a> {
 fn introduce(section: &mut Section, lcp: &Lcp) {
     section.say(
         "A covering variable z makes every w nonnegative. Each tableau expresses the basic variables by the \
-         others, which are 0. z enters first and increases until no w is negative: the largest ratio. Then the \
-         complement of the variable that has just left enters, and increases until a basic variable reaches 0: \
-         the smallest ratio. When z leaves, x is the solution. ← marks the leaving variable, brackets the pivot. \
-         Ties are broken lexicographically.",
+         others, which are 0. z enters first and increases until no w is negative: the largest ratio, \
+         −value / entry in the column of z. Then the complement of the variable that has just left enters, and increases until a basic variable reaches 0: \
+         the smallest ratio, −value / entry in its column. When z leaves, x is the solution. ← marks the leaving variable, brackets the pivot. \
+         In a tie z leaves first; other ties are broken lexicographically.",
     );
     section.formula(Formula::default().symbols(
         "w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0",

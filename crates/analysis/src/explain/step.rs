@@ -9,7 +9,7 @@ use super::units::{Units, with_unit};
 use super::{Method, setup};
 use lcplab_lcp::error::{Error, Result};
 use lcplab_lcp::number::{capitalized, counted, readable};
-use lcplab_mechanics::assembly::Row;
+use lcplab_mechanics::assembly::{Row, Source};
 use lcplab_mechanics::body::{Mass, State, linear};
 use lcplab_mechanics::formulation::Stage;
 use lcplab_mechanics::scene::{Scene, Scheme};
@@ -66,8 +66,8 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
                 } else {
                     String::new()
                 };
-                lead.push(meaning(scene, &states, &step));
                 lead.push(found(&place, level, &step.solves));
+                lead.push(meaning(scene, &states, &step));
                 solves(&mut document, scene, method, &place, &step.solves, None)?;
                 let mut after = setup::after(scene, &states, &step);
                 after.title = format!("{place}{}", after.title);
@@ -97,35 +97,51 @@ const LISTED: usize = 4;
 /// Maximum number of rows of an x in the lead.
 const SHORT: usize = 6;
 
-/// The answers of a step in a sentence; empty if nothing was solved.
+/// Maximum number of entries of an x that are not broken across lines.
+const UNBROKEN: usize = 3;
+
+/// The answers of a step, and the solver, in two sentences; empty if nothing was solved.
 fn found(place: &str, level: Scheme, solves: &[Solve]) -> String {
-    let mut solves = solves.iter().filter(|solve| !solve.problem.lcp.is_empty());
-    let one = |own: &Solve| {
-        let (stage, x) = (own.problem.stage, &own.solution.x);
-        let what = match stage {
-            Stage::Velocity => "the impulses of the step",
-            Stage::Impact => "the impulses of the impact",
-            Stage::Restitution => "the impulses with restitution",
-            Stage::Acceleration => "the forces",
-            Stage::Position => "the corrections of the positions",
+    let solves: Vec<&Solve> = solves.iter().filter(|own| !own.problem.lcp.is_empty()).collect();
+    let Some(last) = solves.last() else { return String::new() };
+    let one = |own: &&Solve| {
+        let x = &own.solution.x;
+        let is_joint = |row: &Row| matches!(row.id.source, Source::Constraint(_));
+        let joints = own.problem.assembly.rows.iter().filter(|row| is_joint(row)).count();
+        let actors = match joints {
+            0 => "the contacts",
+            joints if joints == own.problem.assembly.rows.len() => "the joints",
+            _ => "the contacts and joints",
         };
-        let unit = Units::of(&own.problem).of_x();
-        let x = match x.len() > SHORT {
-            true => format!(" of {} rows", x.len()),
-            false => format!(", x = {},", with_unit(&vector(x), &unit)),
+        let (does, what) = match own.problem.stage {
+            Stage::Velocity => (format!("{actors} take"), "impulses"),
+            Stage::Impact => ("the impact takes".into(), "impulses"),
+            Stage::Restitution => ("restitution takes".into(), "impulses"),
+            Stage::Acceleration => (format!("{actors} carry"), "forces"),
+            Stage::Position => ("the position correction takes".into(), "multipliers"),
         };
-        let entry = Registry::standard().entry(&own.solver);
-        let unit = entry.map_or("iterations", |entry| entry.group.unit());
-        format!("{what}{x} in {}", counted(own.solution.iterations, unit.trim_end_matches('s')))
-    };
-    let parts: Vec<String> = solves.clone().map(one).collect();
-    match solves.next_back() {
-        Some(last) => {
-            let words = [place, level.name(), " level: ", &last.solver, " finds "].concat();
-            capitalized(&format!("{words}{}.", parts.join(", then ")))
+        let values = if let [x] = x[..] { plain(x) } else { vector(x) };
+        let values = with_unit(&values, &Units::of(&own.problem).of_x());
+        match x.len() {
+            rows if rows > SHORT => format!("{does} {rows} {what}"),
+            rows if rows > UNBROKEN => format!("{does} {values}"),
+            _ => format!("{does} {}", values.replace(' ', "\u{a0}")),
         }
-        None => String::new(),
-    }
+    };
+    let answers = solves.iter().map(one).collect::<Vec<_>>().join("; afterwards ");
+    let entry = Registry::standard().entry(&last.solver);
+    let unit = entry.map_or("iterations", |entry| entry.group.unit());
+    let counts: Vec<_> = solves.iter().map(|own| own.solution.iterations.to_string()).collect();
+    let work = match solves.len() {
+        1 => {
+            format!("finds x in {}", counted(last.solution.iterations, unit.trim_end_matches('s')))
+        }
+        2 => format!("finds both ({} {unit})", counts.join(" and ")),
+        _ => format!("finds all ({} {unit})", counts.join(", ")),
+    };
+    let (solver, level) = (&last.solver, level.name());
+    let place = place.replace(',', ":");
+    capitalized(&format!("{place}{answers}. At {level} level {solver} {work}."))
 }
 
 /// A slower rotation (rad/s) is rounding.
@@ -161,7 +177,8 @@ fn meaning(scene: &Scene, before: &[State], step: &Step) -> String {
         };
         let [own, all] = [-sum.dot(&weight) / weight.norm() / time, weight.norm()]
             .map(|force| readable(force, 3));
-        format!("Fixed bodies and points push with {own} N{mean} against the weight of {all} N. ")
+        let who = if scene.constraints.is_empty() { "bodies" } else { "bodies and points" };
+        format!("Fixed {who} push with {own} N{mean} against the weight of {all} N. ")
     });
     format!("{}After the step {motion}.", support.unwrap_or_default())
 }

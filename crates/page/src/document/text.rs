@@ -88,7 +88,7 @@ pub(crate) fn wrapped(words: &str, width: usize) -> Vec<String> {
         length += size;
     }
     lines.push(line);
-    lines
+    lines.into_iter().map(|line| line.replace('\u{a0}', " ")).collect()
 }
 
 /// A formula: its parts side by side, with symbols at the middle row of the matrices.

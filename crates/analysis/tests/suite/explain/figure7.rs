@@ -177,10 +177,11 @@ fn figure_7_by_the_pivots_of_lemke() {
     insta::assert_snapshot!(text, @r"
     Lemke's method, tableau by tableau
     A covering variable z makes every w nonnegative. Each tableau expresses the basic variables by
-    the others, which are 0. z enters first and increases until no w is negative: the largest ratio.
-    Then the complement of the variable that has just left enters, and increases until a basic
-    variable reaches 0: the smallest ratio. When z leaves, x is the solution. ← marks the leaving
-    variable, brackets the pivot. Ties are broken lexicographically.
+    the others, which are 0. z enters first and increases until no w is negative: the largest ratio,
+    −value / entry in the column of z. Then the complement of the variable that has just left
+    enters, and increases until a basic variable reaches 0: the smallest ratio, −value / entry in
+    its column. When z leaves, x is the solution. ← marks the leaving variable, brackets the pivot.
+    In a tie z leaves first; other ties are broken lexicographically.
         w = A x + b + z e,   x, w, z ≥ 0,   xᵢ wᵢ = 0
       Impulses, tableau 1: z enters, w₁ leaves
         basic   value   x₀   x₁   x₂     z   ratio
