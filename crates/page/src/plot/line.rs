@@ -1,6 +1,6 @@
 //! Line charts over a common x axis, in one panel or several stacked ones.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use plotters::prelude::*;
 
@@ -23,8 +23,9 @@ use crate::number::readable;
 /// The space right of the plots in px.
 pub(super) const MARGIN: f64 = 12.0;
 
-/// The width for a tick on the x axis in px.
+/// The width for a tick on the x axis in px, and that for one at the data.
 const TICK: f64 = 90.0;
+const CLOSE: f64 = 54.0;
 
 /// The gap between two named ticks in px.
 const BESIDE: f64 = 10.0;
@@ -103,25 +104,30 @@ impl Lines {
         self
     }
 
-    /// Ticks at the data, if all of them are at whole numbers of a linear x axis: with their names
-    /// if these have space (px per unit), otherwise with the numbers.
-    fn whole_numbers(&self, space: f64) -> Option<Vec<Tick>> {
+    /// Ticks at the data, with the names of the axis if these have space (px per unit of position);
+    /// `None` if the ticks would be too close, or are not at whole numbers of a linear axis.
+    fn at_data(&self, space: f64) -> Option<Vec<Tick>> {
         let series = self.panels.iter().flat_map(|panel| &panel.series);
-        let mut data = BTreeSet::new();
-        for (at, _) in series.flat_map(|series| &series.points) {
-            let is_whole = self.x.scale == Scale::Linear && at.fract() == 0.0 && at.abs() < 1e6;
-            data.insert(is_whole.then_some(*at as i64)?);
-        }
-        let name = |at: &i64| self.x.names.get(usize::try_from(*at).ok()?);
-        let gaps = data.iter().zip(data.iter().skip(1)).map(|(a, b)| b - a);
-        let least = space * gaps.min().unwrap_or(i64::MAX) as f64;
-        let is_named =
-            data.iter().all(|at| name(at).is_some_and(|own| width(own, TEXT) + BESIDE < least));
-        let label = |at: i64| match name(&at).filter(|_| is_named) {
-            Some(name) => name.clone(),
-            None => readable(at as f64, 16),
+        let measured = series.filter(|series| series.look.is_measured());
+        let mut data: Vec<f64> = measured.flat_map(|own| own.points.iter().map(|p| p.0)).collect();
+        data.sort_by(f64::total_cmp);
+        data.dedup();
+        let tick = |at: f64| {
+            let digits = if at.fract() == 0.0 { 16 } else { 3 };
+            let is_shown = self.x.scale == Scale::Log || digits > 3;
+            Some(Tick { at: self.x.scale.position(at)?, label: readable(at, digits) })
+                .filter(|_| is_shown)
         };
-        Some(data.into_iter().map(|at| Tick { at: at as f64, label: label(at) }).collect())
+        let mut ticks: Vec<Tick> = data.into_iter().map(tick).collect::<Option<_>>()?;
+        let gaps = ticks.windows(2).map(|pair| pair[1].at - pair[0].at);
+        let least = space * gaps.fold(f64::INFINITY, f64::min);
+        let named = ticks.iter().map(|tick| self.x.names.get(tick.at as usize));
+        if let Some(names) = named.collect::<Option<Vec<_>>>()
+            && names.iter().all(|name| width(name, TEXT) + BESIDE < least)
+        {
+            ticks.iter_mut().zip(names).for_each(|(tick, name)| tick.label.clone_from(name));
+        }
+        (ticks.len() > 1 && least >= CLOSE).then_some(ticks)
     }
 }
 
@@ -174,9 +180,7 @@ impl Figure for Lines {
         legend.draw(&mut canvas, lower);
 
         let wanted = ((wide - room) / TICK) as usize;
-        let space = (wide - MARGIN - room - LABELS) / (x.1 - x.0);
-        let wanted_at_data = wanted.max(if self.x.names.is_empty() { 0 } else { 8 });
-        let at_data = self.whole_numbers(space).filter(|data| data.len() <= wanted_at_data);
+        let at_data = self.at_data((wide - MARGIN - room - LABELS) / (x.1 - x.0));
         let columns = at_data.unwrap_or_else(|| self.x.scale.ticks(x, wanted));
         let ranges = self.panels.iter().zip(&heights).map(|(panel, plot)| {
             let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);

@@ -90,8 +90,10 @@ impl View for Plan {
         };
         let rejected = sum(|run| run.tally.rejected_claims);
         let says = format!(
-            "{} problems: {} reported as solved, {} answers accepted by the judge, {rejected} false claims",
+            "{} problems, every step of {} scenes with each solver: {} reported as solved, {} answers accepted by \
+             the judge, {rejected} false claims",
             count(sum(|run| run.tally.solves)),
+            findings.len(),
             count(sum(|run| run.tally.claimed)),
             count(sum(|run| run.tally.accepted)),
         );

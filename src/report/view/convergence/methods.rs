@@ -6,7 +6,7 @@ use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::convergence::methods::{self as measured, MethodProgress, Progress};
 use crate::report::study::trial;
 use crate::report::view::attempt::{
-    anchor, iterations_in_words, outcome as outcome_cell, rough, tolerance,
+    anchor, iterations_in_words, listed, outcome as outcome_cell, rough, tolerance,
 };
 use crate::report::view::{Headline, Outcome, ReportPage};
 use crate::solver::{Group, Pgs, Registry};
@@ -45,7 +45,7 @@ pub(super) fn outcome(problems: &[&Progress]) -> Outcome {
 pub(super) fn headline(progress: &Progress, choices: &[&Progress]) -> Headline {
     let solved = by_cost(progress);
     let [first, _, ..] = solved[..] else { return Headline::default() };
-    let figure: Box<dyn Figure> = Box::new(costs(progress, &solved));
+    let figure: Box<dyn Figure> = Box::new(costs(progress, &solved, default(choices)));
     let table = (!choices.is_empty()).then(|| ("choices".to_string(), choice(choices)));
     let answer = Some(answer(progress, solved.len(), first, choices));
     Headline { answer, figure: Some(figure), table, ..Headline::default() }
@@ -73,9 +73,9 @@ fn answer(
                 ", which leave {share} of the weight unsupported, because a sweep passes the load only from contact to contact"
             )
         });
+        let part = readable((100.0 * work(first) / ten).round(), 3);
         format!(
-            ", {} the work of ten sweeps of *pgs* (projected Gauss-Seidel){left}",
-            part(work(first) / ten)
+            ", {part}\u{a0}% of the work of ten sweeps of *pgs* (projected Gauss-Seidel){left}"
         )
     });
     let all = match solved == tried {
@@ -83,23 +83,15 @@ fn answer(
         false => format!("{solved} of {tried}"),
     };
     format!(
-        "**For a stack of {} ({} rows), {} is cheapest:** {}{compared}. {all} solvers reach a scaled residual of {}.{}{}",
+        "{}For a stack of {} ({} rows), {} is cheapest: {}{compared}. {all} solvers reach a scaled residual of {}.{}",
+        decision(choices).unwrap_or_default(),
         in_words(&progress.problem),
         count(progress.rows),
         named(&first.solver),
         iterations_in_words(&first.solver, iterations),
         tolerance(progress.tolerance),
         reversed(first, choices).unwrap_or_default(),
-        default(choices).unwrap_or_default(),
     )
-}
-
-/// A part as a percentage, or a multiple.
-fn part(ratio: f64) -> String {
-    match ratio {
-        more if more > 1.0 => format!("{} times", readable(more, 2)),
-        less => format!("{}\u{a0}% of", readable((100.0 * less).round(), 3)),
-    }
 }
 
 /// A stack in words: `4 boxes, the top one 100 times as heavy`.
@@ -127,23 +119,20 @@ fn named(solver: &str) -> String {
 /// The largest problem for which another solver is cheapest.
 fn reversed(first: &MethodProgress, choices: &[&Progress]) -> Option<String> {
     let largest = choices.iter().max_by_key(|progress| progress.rows)?;
-    let solved = by_cost(largest);
-    let [best, own] = [solved.first()?, solved.iter().find(|own| own.solver == first.solver)?];
-    (best.solver != own.solver).then(|| {
+    let is_pivoting = Registry::standard().entry(&first.solver).ok()?.group == Group::Pivoting;
+    (is_pivoting && by_cost(largest).first()?.solver != first.solver).then(|| {
         format!(
-            " **Larger, sparse problems reverse this:** for a {} ({} rows), *{}*, counted with dense matrices, costs \
-             about {} times as much as *{}*.",
+            " For a larger, sparse problem such as the {} ({} rows), *{}* is expensive, because it works with dense matrices.",
             plain(&largest.problem),
             count(largest.rows),
-            own.solver,
-            readable(work(own) / work(best), 1),
-            best.solver
+            first.solver
         )
     })
 }
 
-/// The solver that solves every problem at the least multiple of the cheapest one's cost.
-fn default(choices: &[&Progress]) -> Option<String> {
+/// The solver that solves every problem at the least multiple of the cheapest one's cost, and this
+/// multiple.
+fn default<'a>(choices: &[&'a Progress]) -> Option<(&'a str, f64)> {
     let solved: Vec<_> = choices.iter().map(|progress| by_cost(progress)).collect();
     let multiple = |solver: &str| {
         let ratios = solved.iter().map(|methods| {
@@ -153,12 +142,28 @@ fn default(choices: &[&Progress]) -> Option<String> {
         ratios.collect::<Option<Vec<f64>>>().map(|all| all.into_iter().fold(1.0, f64::max))
     };
     let all = solved.first()?.iter().map(|own| own.solver.as_str());
-    let (most, solver) = all
-        .filter_map(|solver| Some((multiple(solver)?, solver)))
-        .min_by(|a, b| a.0.total_cmp(&b.0))?;
+    all.filter_map(|solver| Some((solver, multiple(solver)?))).min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// The default, and the cheapest solver of each kind of problem.
+fn decision(choices: &[&Progress]) -> Option<String> {
+    let (solver, most) = default(choices)?;
+    let kind = |progress: &Progress| match progress.problem.contains(", mass ratio ") {
+        true => "stacks".to_string(),
+        false => plain(&progress.problem).into(),
+    };
+    let best =
+        |progress: &&Progress| Some((by_cost(progress).first()?.solver.clone(), kind(progress)));
+    let mut cheapest: Vec<_> = choices.iter().filter_map(best).collect();
+    cheapest.dedup();
+    let cheapest: Vec<_> =
+        cheapest.iter().map(|(solver, kind)| format!("*{solver}* for the {kind}")).collect();
     Some(format!(
-        " **One default: *{solver}*, at worst about {} times as expensive as the cheapest in Table 1.**",
-        rough(most)
+        "**Default: *{solver}*, at most about {} times the cost of the cheapest in all {} problems of Table 1. \
+         The cheapest is {}.** ",
+        rough(most),
+        choices.len(),
+        listed(&cheapest)
     ))
 }
 
@@ -214,7 +219,7 @@ fn choice(choices: &[&Progress]) -> Table {
 }
 
 /// The multiplications of the methods that solve the problem, the cheapest first.
-fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
+fn costs(progress: &Progress, solved: &[&MethodProgress], default: Option<(&str, f64)>) -> Bars {
     let bar = |method: &&MethodProgress| Bar {
         name: method.solver.clone(),
         accent: true,
@@ -223,7 +228,7 @@ fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
     };
     Bars {
         id: id(&progress.problem, "costs"),
-        title: title(progress),
+        title: title(progress, solved, default.map_or("", |(solver, _)| solver)),
         caption: format!(
             "{} ({} rows): multiplications needed to reach a scaled residual of {} (leading term of the operation \
              count), starting from x = 0. Ten sweeps of *pgs* per step are a typical budget in engines.{}",
@@ -302,7 +307,8 @@ fn asked(progress: &Progress) -> Series {
     let marks = progress.methods.iter().flat_map(|method| &method.marks).map(|mark| mark.work);
     let last = marks.fold(1.0, f64::max);
     let name = format!("tolerance {}", tolerance(progress.tolerance));
-    let ends = vec![(1e-3, progress.tolerance), (10.0 * last, progress.tolerance)];
+    // Its label is at its left end.
+    let ends = vec![(10.0 * last, progress.tolerance), (1e-3, progress.tolerance)];
     Series::reference(name.clone(), ends).labeled(name)
 }
 
@@ -346,35 +352,36 @@ fn is_faster(method: &MethodProgress) -> Option<bool> {
     Some(measured < FASTER * method.rate?.ln())
 }
 
-/// The cost of the cheapest solver, and what ten sweeps of PGS leave.
+/// The finding: the cheapest and the most expensive of the methods with a curve.
 fn finding(progress: &Progress) -> String {
-    let undone = match (left(progress), pgs(progress).and_then(MethodProgress::ten)) {
-        (Some(share), _) => format!("{share} of the weight unsupported"),
-        (None, Some(ten)) => format!("a residual of {}", readable(ten.residual, 2)),
-        _ => return format!("{}: residual by multiplication", progress.problem),
-    };
-    match (by_cost(progress).first(), budget(progress)) {
-        (Some(first), Some(ten)) => format!(
-            "{} needs {} the work of ten sweeps, which leave {undone}",
+    let mut iterative = by_cost(progress);
+    iterative.retain(|method| method.marks.len() > 2);
+    match iterative[..] {
+        [first, .., last] => format!(
+            "{} reaches {} within {} multiplications, {} needs {}",
             first.solver,
-            part(work(first) / ten)
+            tolerance(progress.tolerance),
+            readable(work(first), 3),
+            last.solver,
+            readable(work(last), 3)
         ),
-        _ => format!("{}: ten sweeps leave {undone}", progress.problem),
+        _ => format!("{}: residual by multiplication", progress.problem),
     }
 }
 
-/// The finding: the cheapest solver, and the cost of the most expensive one.
-fn title(progress: &Progress) -> String {
-    match by_cost(progress)[..] {
-        [first, .., last] => format!(
-            "{} is cheapest with {} multiplications, {} costs {} times as much",
-            first.solver,
-            readable(work(first), 3),
-            last.solver,
-            rough(work(last) / work(first))
-        ),
-        _ => format!("{}: costs", progress.problem),
-    }
+/// The finding: the costs of the cheapest solver, the default and the most expensive one.
+fn title(progress: &Progress, solved: &[&MethodProgress], default: &str) -> String {
+    let Some(first) = solved.first() else { return format!("{}: costs", progress.problem) };
+    let is_shown = |k: usize| solved[k].solver == default || k + 1 == solved.len();
+    let others = (1..solved.len())
+        .filter(|k| is_shown(*k))
+        .map(|k| format!(", {} {} times", solved[k].solver, rough(work(solved[k]) / work(first))));
+    format!(
+        "{} needs {} multiplications{} as many",
+        first.solver,
+        readable(work(first), 3),
+        others.collect::<String>()
+    )
 }
 
 /// The cost of ten sweeps of PGS, a typical budget of an engine.

@@ -21,13 +21,15 @@ impl Rows {
         document.figure(self.figure(section_id(document) + "_rows", maps));
     }
 
-    /// The finding: how many sweeps from the top the ground's impulse needs.
+    /// The finding: how many sweeps from the top down the ground's impulse needs to the top contact.
     fn title(&self, maps: &[&RowResiduals]) -> String {
         let down = maps.iter().find(|map| map.method == Sweep::Down);
-        let reached = down.and_then(|map| Some((map.residuals.len() - 2, arrival(map)?)));
+        let arrival = |top: &[f64]| top.iter().position(|residual| *residual > ROUNDING);
+        let reached =
+            down.and_then(|map| Some((map.residuals.len() - 1, arrival(map.residuals.last()?)?)));
         match reached {
-            Some((contacts, sweeps)) => format!(
-                "From the top down, the ground's impulse needs {sweeps} sweeps to pass {contacts} contacts"
+            Some((top, sweeps)) => format!(
+                "From the top down, the ground's impulse needs {sweeps} sweeps to reach contact {top}"
             ),
             None => format!("Residuals in {} sweeps", self.sweeps),
         }
@@ -59,11 +61,4 @@ impl Rows {
             panels: maps.iter().map(panel).collect(),
         }
     }
-}
-
-/// The sweep in which the impulse from the ground reaches the second contact from the top. (The top
-/// row itself is satisfied immediately in a sweep from the ground up.)
-fn arrival(map: &RowResiduals) -> Option<usize> {
-    let top = map.residuals.iter().rev().nth(1)?;
-    top.iter().position(|residual| *residual > ROUNDING)
 }

@@ -1,7 +1,7 @@
 //! A of one step, next to its scene, and the factors of another.
 
 use crate::animation::{Frame, Strip};
-use crate::number::{count, readable};
+use crate::number::{capitalized, count, readable};
 use crate::plot::scene_matrix::{self, SCENE, SceneMatrix};
 use crate::plot::{Small, Spy};
 use crate::report::page::markup::literal;
@@ -57,17 +57,16 @@ fn figure(found: &Patterns, factors: &[&Factor]) -> SceneMatrix {
     let all = found.blocks.len().pow(2);
     SceneMatrix {
         id: format!("sparsity_{}", stem(&found.scene)),
-        title: format!("{}: A is {full} % full, in {} of {all} blocks", found.scene, pairs.len()),
+        title: capitalized(&format!("{}the {}'s A is {full} % full", gain(factors), found.scene)),
         caption: format!(
             "The scene, and its A in step {} ({} rows): a block couples the rows of one pair of bodies with those of another. Pale \
-             entries are below 30 % of the largest |a|, the palest below 3 %. Blocks without a common moving body are empty; the other {} are {} % \
-             full, because in some entries the contributions of translation and rotation cancel. {}{}",
+             entries are below 30 % of the largest |a|, the palest below 3 %. Blocks without a common moving body are empty; the other {} of {all} are {} % \
+             full, because in some entries the contributions of translation and rotation cancel. {}",
             found.step,
             count(found.rows),
             pairs.len(),
             fill(found.matrix.len(), coupled),
-            factors.iter().map(|factor| words(factor)).collect::<Vec<_>>().join(" "),
-            gain(factors)
+            factors.iter().map(|factor| words(factor)).collect::<Vec<_>>().join(" ")
         ),
         scene: picture(found).unwrap_or_default(),
         blocks: found.blocks.iter().map(rows).collect(),
@@ -83,12 +82,13 @@ fn drawn(factor: &Factor) -> impl Iterator<Item = &Ordered> {
     factor.ordered.iter().filter(is_drawn)
 }
 
+/// What reordering saves.
 fn gain(factors: &[&Factor]) -> String {
     let gain = |factor: &&Factor| {
         let entries: Vec<f64> = drawn(factor).map(|own| own.entries as f64).collect();
         let (natural, least) = (entries.first()?, entries.last()?);
         Some(format!(
-            " Minimum-degree order leaves {} times fewer entries than the natural order.",
+            "Reordering leaves {} times fewer entries in L; ",
             readable(natural / least, 2)
         ))
     };
