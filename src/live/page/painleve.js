@@ -1,6 +1,6 @@
 const USUAL = { mu: 1, theta: 63, omega: 0, dt: 0.01, step: 1 };
 const SLIDERS = ["mu", "theta", "omega", "step"], MOST_MU = 3, SLIP = 1;
-const FRAMES = 400;
+const FRAMES = 400, STILL = 0.01; // slower is not visible
 const toMap = (mu, theta) => [40 + mu / MOST_MU * 370, 390 - theta / 90 * 370];
 const fromMap = (px, py) => [(px - 40) / 370 * MOST_MU, (390 - py) / 370 * 90];
 const radians = (degrees) => degrees * Math.PI / 180;
@@ -48,7 +48,7 @@ function drawMap() {
 }
 
 function drawRod() {
-  const { at: [x, z, angle], x: push } = frames[state.step], scale = 90, ground = 250, middle = 210 - scale * frames[0].at[0] + 110;
+  const { at: [x, z, angle], x: push, slip } = frames[state.step], scale = 90, ground = 250, middle = 210 - scale * frames[0].at[0] + 110;
   const to = (px, pz) => [middle + scale * px, ground - scale * pz];
   const along = [Math.cos(angle), Math.sin(angle)], low = to(x - along[0], z - along[1]), high = to(x + along[0], z + along[1]);
   let picture = svg("line", { x1: 0, x2: 420, y1: ground, y2: ground, class: "axis" });
@@ -56,24 +56,25 @@ function drawRod() {
   const [cx, cy] = to(x, z);
   picture += svg("circle", { cx, cy, r: 4, class: "dot" });
   // A step of the weight, 1 dt, is drawn 45 long; what is longer than the picture is marked by its number.
-  const arrow = ([px, py], dx, dy, name) => {
+  const arrow = ([px, py], dx, dy, name, word) => {
     const size = Math.hypot(dx, dy);
     if (size < 2) return "";
     const cut = Math.min(1, 120 / size), ex = px + dx * cut, ey = py + dy * cut, u = [dx / size, dy / size];
-    return svg("line", { x1: px, y1: py, x2: ex, y2: ey, class: name }) + svg("path", { d: `M${ex} ${ey}l${-9 * u[0] - 4 * u[1]} ${-9 * u[1] + 4 * u[0]}M${ex} ${ey}l${-9 * u[0] + 4 * u[1]} ${-9 * u[1] - 4 * u[0]}`, class: name });
+    const label = svg("text", { ...(dx ? { x: px + 4 * u[0], y: py + 18 } : { x: px - 8, y: (py + ey) / 2 }), "text-anchor": dx > 0 ? "start" : "end", class: "faint" }, word);
+    return label + svg("line", { x1: px, y1: py, x2: ex, y2: ey, class: name }) + svg("path", { d: `M${ex} ${ey}l${-9 * u[0] - 4 * u[1]} ${-9 * u[1] + 4 * u[0]}M${ex} ${ey}l${-9 * u[0] + 4 * u[1]} ${-9 * u[1] - 4 * u[0]}`, class: name });
   };
   const unit = 45 / Number(state.dt);
   [[low, push[0], push[1]], [high, push[2], push[3]]].forEach(([end, normal, friction]) => {
-    picture += arrow(end, 0, -unit * normal, "push normal") + arrow(end, unit * friction, 0, "push friction");
+    picture += arrow(end, 0, -unit * normal, "push normal", "normal") + arrow(end, unit * friction, 0, "push friction", "friction");
   });
-  if (state.step <= 1) picture += arrow([low[0], low[1] + 14], -40, 0, "push slip") + svg("text", { x: low[0] - 60, y: low[1] + 34, class: "faint" }, "slides");
+  if (state.step <= 1 && Math.abs(slip) > STILL) picture += arrow([low[0], low[1] + 14], 40 * slip, 0, "push slip", "slides");
   find("#rod").innerHTML = picture;
   drawSlip();
 }
 
 // The speed at which the lower end slides to the left, over time.
 function drawSlip() {
-  const [left, right, top, bottom] = [44, 410, 24, 94], speeds = frames.map(({ slip }) => (Math.abs(slip) < 1e-3 ? 0 : -slip));
+  const [left, right, top, bottom] = [44, 410, 24, 94], speeds = frames.map(({ slip }) => (Math.abs(slip) < STILL ? 0 : -slip));
   const most = Math.max(0.1, ...speeds), least = Math.min(0, ...speeds), zero = top + (bottom - top) * most / (most - least);
   const at = (k) => [left + k / FRAMES * (right - left), zero - speeds[k] / most * (zero - top)];
   let chart = svg("line", { x1: left, x2: right, y1: zero, y2: zero, class: "axis" });
@@ -84,7 +85,7 @@ function drawSlip() {
   }
   chart += svg("text", { x: left + 0.875 * (right - left), y: zero + 20, "text-anchor": "middle" }, "time");
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
-  const again = speeds.findIndex((speed, k) => speed > 0.01 && speeds.indexOf(0, 1) > 0 && k > speeds.indexOf(0, 1)), landing = frames.findIndex(({ x }) => x[2] > 0);
+  const again = speeds.findIndex((speed, k) => speed > STILL && speeds.indexOf(0, 1) > 0 && k > speeds.indexOf(0, 1)), landing = frames.findIndex(({ x }) => x[2] > 0);
   for (const [k, y, words] of [[again, zero - 8, "slides again"], [landing, top + 26, "upper end lands"]]) {
     if (k > 0) chart += svg("text", { x: at(k)[0] - 6, y, "text-anchor": "end", class: "faint" }, words);
   }
@@ -105,7 +106,8 @@ function drawWords() {
     lines.push(parts.map((part) => part.replaceAll(" ", "\u00a0")).join(", "));
   }
   find("#words").textContent = lines.join("\n");
-  const says = { 0: "There is no solution: friction turns the end into the floor faster than the normal force can lift it, however large the force is.", 1: "There is one solution.", 2: "There are two solutions: the end leaves the floor, or stays on it." }[forces.length];
+  const says = { 0: "There is no solution: no force keeps the end out of the floor, because friction turns it into the floor faster than the normal force lifts it.", 1: "There is one solution.", 2: "There are two solutions: the end leaves the floor, or stays on it." }[forces.length];
+  find("#rod-title").textContent = forces.length ? "The rod" : "Velocity level: an impulse stops the end at once";
   find("#says").textContent = `${says} The critical friction coefficient at this angle is ${digits(rod.critical)}.`;
   find("#says").className = `says ${["bad", "good", "caution"][forces.length]}`;
 }
