@@ -50,7 +50,7 @@ pub(super) fn figure(
     let finding = finding(grid, curves, measure, &series)
         .unwrap_or_else(|| format!("{} against {}", measure.words, curves.across));
     let mut words = vec![format!("{}.", about(grid, measure))];
-    let label = measure.words;
+    let label = &counted(grid, measure);
     let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
     let bands = match *measure == ITERATIONS {
         true => "if all error decayed at ρ",
@@ -126,6 +126,14 @@ fn about(grid: &Grid, measure: &Measure) -> String {
     capitalized(&format!("{kinds} until the residual is within the tolerance"))
 }
 
+/// A measure in a few words; iterations as the solvers call them, if all use the same word.
+fn counted(grid: &Grid, measure: &Measure) -> String {
+    match units(grid)[..] {
+        [unit] => measure.words.replace("iteration", unit.trim_end_matches('s')),
+        _ => measure.words.into(),
+    }
+}
+
 /// What the solvers of a grid count, each once.
 fn units(grid: &Grid) -> Vec<&'static str> {
     let named = grid.values_of("solver.name").into_iter().map(plain);
@@ -183,7 +191,8 @@ fn finding(
 }
 
 /// How the place of the curves' least values moves from the first curve to the last one; of a rate,
-/// how these values change. `None` for values of both signs, whose least is the most negative, and
+/// how these values change, by the closed form if there is one. `None` for values of both signs,
+/// whose least is the most negative, and
 /// where the ends of a curve are hardly larger.
 fn least(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
     let inside = |own: &Series| {
@@ -191,17 +200,15 @@ fn least(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series])
         let (x, least) = finite().min_by(|a, b| a.1.total_cmp(&b.1))?;
         let ends = [finite().next()?.1, finite().next_back()?.1];
         let is_inside = *least >= 0.0 && ends.iter().all(|end| *end > DIP * least);
-        is_inside.then(|| (if measure.is_rate() { *least } else { *x }, own.name.clone()))
+        let exact = curves.curves.iter().find(|curve| curve.name == own.name);
+        let exact = exact.and_then(|curve| fine(curves, curve, measure));
+        let least = exact.map_or(*least, |exact| exact.least.1);
+        is_inside.then(|| (if measure.is_rate() { least } else { *x }, own.name.clone()))
     };
     let mut places: Vec<_> = series.iter().map(inside).collect::<Option<_>>()?;
     let across = &curves.across;
-    let what = match *measure == ITERATIONS {
-        true => match units(grid)[..] {
-            [unit] => format!("fewest {unit}"),
-            _ => "fewest iterations".into(),
-        },
-        false => format!("smallest {}", measure.words),
-    };
+    let least = if *measure == ITERATIONS { "fewest" } else { "smallest" };
+    let what = format!("{least} {}", counted(grid, measure));
     let rises = places.is_sorted_by(|a, b| a.0 <= b.0);
     let falls = places.is_sorted_by(|a, b| a.0 >= b.0);
     if !rises && !falls {
@@ -264,10 +271,9 @@ fn last_and_first(
         None => format!("from {across} {start} to {end}"),
     };
     if measure.is_cost() {
-        let counted = |solver: &str| match (*measure == ITERATIONS, &units(grid)[..]) {
-            (true, [unit]) => *unit,
-            (true, _) => unit(solver),
-            (false, _) => what,
+        let counted = |solver: &str| match *measure == ITERATIONS && units(grid).len() > 1 {
+            true => unit(solver).into(),
+            false => counted(grid, measure),
         };
         let other = match readable(*least, 2).as_str() {
             _ if *least < 1.05 => "no more".into(),
