@@ -7,7 +7,7 @@ use crate::animation::{
     Animation, Arrows, Force, Frame, Origin, Recording, Sample, Strip, instants,
 };
 use crate::diagnosis::unsupported::{
-    ErrorHistory, Examination, Frame as Problem, ReferenceSolution, Slowest, UserSolver,
+    ErrorHistory, Examination, Frame as Problem, OVERLAP, ReferenceSolution, Slowest, UserSolver,
     error_histories, exact, main_solve, percent,
 };
 use crate::document;
@@ -44,7 +44,8 @@ pub(crate) fn diagnosis_page(
     let mut page = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     if let Some(scene) = scene.filter(|_| !found.notes.is_empty()) {
         let mut animation = animation(scene, found.notes.len())?;
-        animation.start = found.unsupported.as_ref().map(|_| found.place + 1);
+        let deepest = found.worst().into_iter().find(|(measure, _)| *measure == OVERLAP);
+        animation.start = deepest.map(|(_, place)| place + 1);
         page.animation(&animation, ANIMATION);
     }
     for (k, section) in words.sections.iter().enumerate() {
@@ -59,7 +60,7 @@ pub(crate) fn diagnosis_page(
     if !problems.is_empty() {
         page.open("problems", "Problem files");
         let link = |(name, why): &(String, String)| format!("- [{name}]({name}): {why}\n");
-        page.text(problems.iter().map(link).collect::<String>());
+        page.aside("One file for each worst step", problems.iter().map(link).collect::<String>());
     }
     Ok(page.page)
 }
@@ -198,16 +199,18 @@ fn convergence(error_histories: &[ErrorHistory]) -> Lines {
     let mut series = Vec::new();
     for error_history in error_histories {
         let measured = points(&mut error_history.missing.iter().map(|missing| Some(*missing)));
-        series.push(Series::measured(&error_history.name, measured));
+        series.push(Series::measured(&error_history.name, measured).labeled(&error_history.name));
         let theory = points(&mut error_history.theory.iter().copied());
         if !theory.is_empty() {
-            series.push(Series::theory(format!("theory, {}", error_history.name), theory));
+            series.push(
+                Series::theory(format!("theory, {}", error_history.name), theory).labeled(""),
+            );
         }
     }
     Lines::new(
         "convergence",
         left(error_histories).unwrap_or_else(|| "Error after each sweep".into()),
-        "Cold start. The theory assumes a fixed active set and is not drawn where the active set \
+        "Cold start. The theory (pale) assumes a fixed active set and is not drawn where the active set \
          would change.",
         Axis::linear("sweeps", ""),
         Axis::log("error", "%"),

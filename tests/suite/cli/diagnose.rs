@@ -17,7 +17,7 @@ fn a_page_shows_animation_pattern_and_sweeps_and_the_problems_lie_beside_it() {
         "Cause: mass ratio",
         "of the slowest error pattern",
         "of the error is left with pgs",
-        "distance (mm)",
+        "distance (m)",
     ] {
         assert!(page.contains(part), "{part}");
     }

@@ -198,14 +198,11 @@ fn feedback_that_only_few_sweeps_turn_into_energy_is_named_first() {
     let mut scene = Scene::from_toml("beads.toml", &text).unwrap();
     (scene.solver.name, scene.solver.max_iterations) = ("pgs".into(), 10);
     let found = examine_scene(&scene, None).unwrap();
-    assert_eq!(
-        found.causes()[..2],
-        ["energy from Baumgarte feedback", "tall column or long chain"]
-    );
+    assert_eq!(found.causes()[..2], ["energy from Baumgarte feedback", "bodies in series"]);
     let off = |what: &str| found.remedy_effects.iter().find(|own| own.what == what).unwrap().off;
     assert!(off("without feedback") < 0.2 * off("unchanged"));
     scene.step.baumgarte = 0.0;
-    assert_eq!(examine_scene(&scene, None).unwrap().causes(), ["tall column or long chain"]);
+    assert_eq!(examine_scene(&scene, None).unwrap().causes(), ["bodies in series"]);
 }
 
 /// Two rods that swing for two seconds, with feedback of the sign as printed in the chapter.
@@ -225,7 +222,7 @@ fn feedback_of_the_wrong_sign_is_named() {
 #[test]
 fn the_planted_cause_is_named_first() {
     const MASS: &str = "mass ratio";
-    const TALL: &str = "tall column or long chain";
+    const TALL: &str = "bodies in series";
     let none: &[(&str, &str)] = &[];
     let cold: &[(&str, &str)] = &[("contact.persistence", "none")];
     let planted = [
@@ -483,7 +480,7 @@ fn a_dump_without_bodies_says_that_masses_are_not_known() {
     problem.extra.remove("bodies");
     let found = examine_sequence(&[problem], &user_solver("pgs", 10));
     let first = &found.unsupported.as_ref().unwrap().causes[0];
-    assert_eq!(first.name(), "tall column or long chain");
+    assert_eq!(first.name(), "long chain of rows");
     assert!(first.to_string().contains("names no bodies"), "{first}");
 }
 

@@ -4,7 +4,7 @@ use lcplab_page::document::{Block, Document, Section};
 use lcplab_page::number::{capitalized, readable};
 use serde_json::{Value, json};
 
-use super::cause::Moving;
+use super::cause::{Moving, Slow};
 use super::examine::UnsupportedLoad;
 use super::frame::Frame;
 use super::remedy::{Remedy, RemedyEffect, UNCHANGED};
@@ -20,6 +20,9 @@ const HELPFUL: f64 = 0.95;
 /// The text if no cause was found but the motion has errors that no residual shows.
 const WARNED_WORDS: &str =
     "The problem of this step has a solution, but the motion has errors: see the warnings.";
+
+/// The measure of overlap among the worst steps.
+pub const OVERLAP: &str = "overlap";
 
 /// What is not examined.
 const NOT_EXAMINED: &str = "contacts that open and close repeatedly, closed loops, restitution of resting \
@@ -200,9 +203,9 @@ impl Examination {
         let is_deep = self.sunk.as_ref().is_some_and(|(_, depth)| *depth > REPORTED_DEPTH);
         let own = self.remedy_effects.iter().find(|own| is_deep && own.what == UNCHANGED);
         if let (Some(own), Some(time)) = (own, self.time) {
-            let [time, off] = [time, 1e3 * own.off].map(|value| readable(value, DIGITS));
+            let [time, off] = [time, own.off].map(|value| readable(value, DIGITS));
             words +=
-                &format!(" After {time} s the distance from the exact position is up to {off} mm.");
+                &format!(" After {time} s the distance from the exact position is up to {off} m.");
         }
         words
     }
@@ -241,10 +244,19 @@ impl Examination {
             many if many.ends_with('s') && !many.ends_with("ss") => {
                 format!("{} are {place}", capitalized(many))
             }
-            one => format!("The {one} is {place}"),
+            one => format!("The {one}{} is {place}", self.masses(one).unwrap_or_default()),
         };
         let remedy = self.unsupported.as_ref().and_then(UnsupportedLoad::remedy_in_words);
         format!("{cause}{}.", remedy.map_or(String::new(), |remedy| format!("; {remedy}")))
+    }
+
+    /// The masses of this cause in words, if it is their ratio.
+    fn masses(&self, cause: &str) -> Option<String> {
+        self.unsupported.as_ref()?.causes.iter().filter(|own| own.name() == cause).find_map(|own| {
+            let Slow::MassRatio { heavy, light, .. } = own else { return None };
+            let [heavy, light] = [heavy.1, light.1].map(|mass| readable(mass, DIGITS));
+            Some(format!(" of {heavy} kg to {light} kg"))
+        })
     }
 
     /// Inserts it at the beginning of a document.
@@ -361,7 +373,7 @@ impl Examination {
         let measures = [
             worst("residual", &|k| Some(self.notes[k].residual)),
             worst("bias", &|k| Some(self.notes[k].bias)),
-            worst("overlap", &|k| self.notes[k].penetration),
+            worst(OVERLAP, &|k| self.notes[k].penetration),
             worst("energy gain in the step", &|k| Some(energy(k)? - energy(k.checked_sub(1)?)?)),
         ];
         measures.into_iter().flatten().collect()
@@ -379,7 +391,7 @@ impl Examination {
             solved.partition(|own| of_run(&own.what).is_some() || own.missing < HELPFUL * now);
         let short = |part: f64| percent(part).replace("less than", "<");
         let run = |own: Option<&RemedyEffect>| match own {
-            Some(own) => [short(own.missing), readable(1e3 * own.off, DIGITS)],
+            Some(own) => [short(own.missing), readable(own.off, DIGITS)],
             None => ["–".into(), "–".into()],
         };
         let cost = |work: f64| match work.is_nan() {
@@ -402,20 +414,25 @@ impl Examination {
         if rows.is_empty() && useless.is_empty() {
             return None;
         }
-        rows.sort_by_key(|row| row[0] != UNCHANGED);
+        let error = |row: &[String]| match row[0] == UNCHANGED {
+            true => -1.0,
+            false => of_run(&row[0]).map_or(f64::INFINITY, |own| own.missing),
+        };
+        rows.sort_by(|a, b| error(a).total_cmp(&error(b)));
         let best = self.unsupported.as_ref().and_then(UnsupportedLoad::best_remedy);
         let best = best.and_then(|best| rows.iter().position(|row| row[0] == best.what));
         section.say(
             "Each change was tried alone; the best one is bold. An error is a distance from the exact motion, in parts of the change of \
              motion that the constraints cause; that of a run is the mean of its second half. The distance is that of the \
-             body farthest from its exact position at the end of the run. –: not measured.",
+             body farthest from its exact position at the end of the run, a single instant: it can be larger although the \
+             mean error is smaller. –: not measured.",
         );
         let columns = [
             "change",
             "error of this solve",
             "its multiplications",
             "error of the run",
-            "distance (mm)",
+            "distance (m)",
         ];
         section.table("the error with each change", &columns, rows);
         if let Some(Block::Table(table)) = section.blocks.last_mut() {

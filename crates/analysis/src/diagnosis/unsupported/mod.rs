@@ -32,7 +32,7 @@ pub use cause::{Moving, Slow, Without};
 // The hidden items are parts of an examination, for reports and tests. They are no promise.
 #[doc(hidden)]
 pub use error_history::{ErrorHistory, error_histories};
-pub use examination::{Examination, StepSummary};
+pub use examination::{Examination, OVERLAP, StepSummary};
 #[doc(hidden)]
 pub use examine::examine;
 pub use examine::{Load, UnsupportedLoad, UserSolver};
