@@ -83,14 +83,13 @@ fn answer(
         false => format!("{solved} of {tried}"),
     };
     format!(
-        "{}For a stack of {} ({} rows), {} is cheapest: {}{compared}. {all} solvers reach a scaled residual of {}.{}",
+        "{}For a stack of {} ({} rows), {} is cheapest: {}{compared}. {all} solvers reach a scaled residual of {}.",
         decision(choices).unwrap_or_default(),
         in_words(&progress.problem),
         count(progress.rows),
         named(&first.solver),
         iterations_in_words(&first.solver, iterations),
         tolerance(progress.tolerance),
-        reversed(first, choices).unwrap_or_default(),
     )
 }
 
@@ -114,20 +113,6 @@ fn named(solver: &str) -> String {
         "dantzig" => "Dantzig's pivoting method".into(),
         other => other.into(),
     }
-}
-
-/// The largest problem for which another solver is cheapest.
-fn reversed(first: &MethodProgress, choices: &[&Progress]) -> Option<String> {
-    let largest = choices.iter().max_by_key(|progress| progress.rows)?;
-    let is_pivoting = Registry::standard().entry(&first.solver).ok()?.group == Group::Pivoting;
-    (is_pivoting && by_cost(largest).first()?.solver != first.solver).then(|| {
-        format!(
-            " For a larger, sparse problem such as the {} ({} rows), *{}* is expensive, because it works with dense matrices.",
-            plain(&largest.problem),
-            count(largest.rows),
-            first.solver
-        )
-    })
 }
 
 /// The solver that solves every problem at the least multiple of the cheapest one's cost, and this
@@ -160,7 +145,7 @@ fn decision(choices: &[&Progress]) -> Option<String> {
         cheapest.iter().map(|(solver, kind)| format!("*{solver}* for the {kind}")).collect();
     Some(format!(
         "**Default: *{solver}*, at most about {} times the cost of the cheapest in all {} problems of Table 1. \
-         The cheapest is {}.** ",
+         The cheapest is {}; pivoting works with dense matrices.** ",
         rough(most),
         choices.len(),
         listed(&cheapest)

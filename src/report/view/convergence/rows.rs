@@ -21,7 +21,7 @@ impl Rows {
         document.figure(self.figure(section_id(document) + "_rows", maps));
     }
 
-    /// The finding: how many sweeps from the top down the ground's impulse needs to the top contact.
+    /// The finding: the number of sweeps that the ground's impulse needs to reach the top.
     fn title(&self, maps: &[&RowResiduals]) -> String {
         let down = maps.iter().find(|map| map.method == Sweep::Down);
         let arrival = |top: &[f64]| top.iter().position(|residual| *residual > ROUNDING);
