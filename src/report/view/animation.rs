@@ -63,18 +63,23 @@ impl View for Plan {
 /// The page of one simulation: its animation and its totals; its tables are next to it.
 pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     let scene = animation.scene.clone();
-    let [accepted, solves] = record.verdicts();
-    let judged = match solves {
-        0 => String::new(),
-        _ => format!("The judge accepts {} of {} answers. ", count(accepted), count(solves)),
+    let judged = match record.verdicts() {
+        [_, 0] => String::new(),
+        [accepted, solves] if accepted == solves => format!(
+            "**The judge accepts all {} answers, so errors of the motion are those of the scheme and its step length.** ",
+            count(solves)
+        ),
+        [accepted, solves] => format!(
+            "**The judge accepts {} of {} answers: errors of the motion may be the solver's.** ",
+            count(accepted),
+            count(solves)
+        ),
     };
-    let [finding, run] =
-        [judged + &record.finding(), record.run()].map(|own| markup::literal(&own));
-    let lead = format!("**{finding}.** {run}");
+    let lead = judged + &markup::literal(&record.run());
     let page = Page { title: scene.title.clone(), lead, ..Page::default() };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     let mut animation = animation.drawn();
-    animation.title.clear();
+    animation.title = record.finding();
     let files = FILES.map(|name| (name.into(), name.into())).into();
     let player = Player { animation, caption: HOW.into(), files };
     document.page.opening = vec![Block::Tiles(tiles(record)), Block::Player(Box::new(player))];

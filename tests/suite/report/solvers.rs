@@ -81,7 +81,7 @@ fn the_top_of_the_page_names_the_cheapest_method_and_shows_the_cost_of_each() {
     let from = page.find(opening).unwrap();
     let words = &page[from..from + page[from..].find("</p>").unwrap()];
     assert!(words.contains(" of the work of ten sweeps of <em>pgs</em>"), "{words}");
-    assert!(words.contains("All 4 solvers reach"), "{words}");
+    assert!(words.contains("all 4 solvers reach"), "{words}");
     let costs = document.figures.iter().find(|own| own.id().ends_with("_costs")).unwrap().csv();
     let names: Vec<&str> =
         costs.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();

@@ -16,7 +16,7 @@ use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_mechanics::simulation::{Cause, Failure, Simulation, Solve, Step};
 use lcplab_page::document::notation::{plain, vector};
 use lcplab_page::document::{Block, Document, Section};
-use lcplab_solver::Registry;
+use lcplab_solver::{Registry, Status};
 
 /// Explains the first steps of a scene at velocity or acceleration level.
 ///
@@ -132,12 +132,14 @@ fn found(place: &str, level: Scheme, solves: &[Solve]) -> String {
     let entry = Registry::standard().entry(&last.solver);
     let unit = entry.map_or("iterations", |entry| entry.group.unit());
     let counts: Vec<_> = solves.iter().map(|own| own.solution.iterations.to_string()).collect();
-    let work = match solves.len() {
-        1 => {
+    let is_solved = solves.iter().all(|own| own.solution.status == Status::Solved);
+    let work = match (is_solved, solves.len()) {
+        (true, 1) => {
             format!("finds x in {}", counted(last.solution.iterations, unit.trim_end_matches('s')))
         }
-        2 => format!("finds both ({} {unit})", counts.join(" and ")),
-        _ => format!("finds all ({} {unit})", counts.join(", ")),
+        (true, 2) => format!("finds both ({} {unit})", counts.join(" and ")),
+        (true, _) => format!("finds all ({} {unit})", counts.join(", ")),
+        (false, _) => format!("ends without a solution ({} {unit})", counts.join(", ")),
     };
     let (solver, level) = (&last.solver, level.name());
     let place = place.replace(',', ":");

@@ -5,8 +5,8 @@ mod failures;
 use super::attempt::{listed, tolerance};
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::{count as number, readable};
-use crate::plot::Axis;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
+use crate::plot::{Axis, Figure};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::profiles::{
     Cost, FamilyAttempts, Plan, Profile, costs, of_all, profiles,
@@ -36,7 +36,6 @@ impl View for Plan {
              reports a solution and the judge accepts it.",
         );
         document.text(self.words(tried, &solvers));
-        document.figure(self.by_work(tried, &solvers));
         document.aside("What a performance profile is", PROFILE);
         document.table("profiles_cost", iteration_costs());
         document.table("profiles_solvers", self.by_solver(tried, &solvers));
@@ -50,7 +49,10 @@ impl View for Plan {
     }
 
     fn headline(&self, tried: &[FamilyAttempts]) -> Headline {
-        Headline { result: self.result(tried), ..Headline::of(self.answer(tried)) }
+        let solvers = solvers(tried);
+        let figure = (!solvers.is_empty())
+            .then(|| Box::new(self.by_work(tried, &solvers)) as Box<dyn Figure>);
+        Headline { figure, result: self.result(tried), ..Headline::of(self.answer(tried)) }
     }
 
     fn outcome(&self, tried: &[FamilyAttempts]) -> Outcome {
@@ -114,9 +116,10 @@ impl Plan {
         let [solved, claimed] =
             [all(|own| own.outcome.is_solved()), all(|own| own.outcome.is_claim())];
         let words = format!(
-            "answers accepted by an independent judge, of {} solvers on {} problems",
+            "claimed solutions accepted by an independent judge: {} solvers, {} problems, {} tolerances",
             solvers.len(),
-            costs.len()
+            costs.len(),
+            self.tolerances.len()
         );
         Some([format!("{solved} of {claimed}"), words])
     }

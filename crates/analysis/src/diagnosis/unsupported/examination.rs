@@ -422,8 +422,8 @@ impl Examination {
         let best = self.unsupported.as_ref().and_then(UnsupportedLoad::best_remedy);
         let best = best.and_then(|best| rows.iter().position(|row| row[0] == best.what));
         section.say(
-            "Each change was tried alone; the best one is bold. An error is a distance from the exact motion, in parts of the change of \
-             motion that the constraints cause; that of a run is the mean of its second half. The distance is that of the \
+            "Each change was tried alone; the best one is bold. An error of 0 % is the exact motion, one of 100 % is as large as \
+             the effect of all constraints together; that of a run is the mean of its second half. The distance is that of the \
              body farthest from its exact position at the end of the run, a single instant: it can be larger although the \
              mean error is smaller. –: not measured.",
         );
