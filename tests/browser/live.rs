@@ -155,9 +155,13 @@ fn a_problem_is_solved_derived_judged_and_proved_on_its_page() {
     let found = page("problem").seen(1280, &format!("{READY}{script}"));
     let output = |k: usize| found[k].as_str().unwrap();
     assert_eq!(output(1), "[4,3,1]");
-    assert!(output(0).contains("exact solution") && output(2).starts_with("unique:"), "{found}");
+    assert!(
+        output(0).contains("exact solution")
+            && output(2).starts_with("Proved: exactly one solution"),
+        "{found}"
+    );
     assert!(output(3).contains("not a solution"), "{found}");
-    assert!(output(5).starts_with("no-solution:"), "{found}");
+    assert!(output(5).starts_with("Proved: no solution exists"), "{found}");
     assert!(found[6].as_u64().unwrap() > 2, "{found}");
 }
 
