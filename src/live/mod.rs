@@ -8,7 +8,8 @@ use sha2::{Digest, Sha256};
 
 use crate::error::Result;
 use crate::file;
-use crate::page::{Live, base64, with_bound_units};
+use crate::page::{Live, base64};
+use lcplab_page::escape::with_bound_units;
 
 /// The solvers and the judge as a WebAssembly module, deflated.
 const MODULE: &[u8] = include_bytes!("module.wasm.deflate");

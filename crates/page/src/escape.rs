@@ -77,3 +77,32 @@ pub fn unbroken(text: &str) -> String {
     }
     out + words.last().copied().unwrap_or_default()
 }
+
+/// Elements whose text stays as it is.
+const VERBATIM: [&str; 6] = ["script", "style", "pre", "code", "svg", "textarea"];
+
+/// The page with [`unbroken`] text.
+///
+/// ```
+/// use lcplab_page::escape::with_bound_units;
+///
+/// let html = with_bound_units("<p>w ≥ 2 m/s</p><pre>w ≥ 2 m/s</pre>");
+/// assert_eq!(html, "<p>w\u{a0}≥\u{a0}2\u{a0}m/s</p><pre>w ≥ 2 m/s</pre>");
+/// ```
+pub fn with_bound_units(html: &str) -> String {
+    let mut out = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some(at) = rest.find('<') {
+        out += &unbroken(&rest[..at]);
+        rest = &rest[at..];
+        let name = VERBATIM.iter().find(|name| {
+            let after = rest[1..].strip_prefix(*name);
+            after.is_some_and(|after| after.starts_with([' ', '>']))
+        });
+        let end = name.map_or(">".into(), |name| format!("</{name}>"));
+        let length = rest.find(&end).map_or(rest.len(), |at| at + end.len());
+        out += &rest[..length];
+        rest = &rest[length..];
+    }
+    out + &unbroken(rest)
+}

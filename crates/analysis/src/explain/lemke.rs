@@ -99,8 +99,9 @@ fn introduce(section: &mut Section, lcp: &Lcp) {
     section.say(
         "A covering variable z makes every w nonnegative. Each tableau expresses the basic variables by the \
          others, which are 0. z enters first and increases until no w is negative: the largest ratio, \
-         −value / entry in the column of z. Then the complement of the variable that has just left enters, and increases until a basic variable reaches 0: \
-         the smallest ratio, −value / entry in its column. When z leaves, x is the solution. ← marks the leaving variable, brackets the pivot. \
+         −value / entry in the column of z. Then the complement of the variable that has just left \
+         enters, and increases until a basic variable reaches 0: the smallest ratio, −value / entry in \
+         its column. When z leaves, x is the solution. ← marks the leaving variable, brackets the pivot. \
          In a tie z leaves first; other ties are broken lexicographically.",
     );
     section.formula(Formula::default().symbols(

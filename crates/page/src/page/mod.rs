@@ -19,7 +19,7 @@ use crate::figure::Figure;
 use crate::{csv, number};
 pub use origin::Origin;
 pub use player::{Chart, DrawnAnimation, Pane, Player, SPEEDS, speed};
-pub use render::{base64, with_bound_units};
+pub use render::base64;
 
 /// A page.
 ///

@@ -9,7 +9,7 @@ use super::player::{self, Player};
 use super::{
     Align, Block, Cell, Column, Live, Mark, Page, Picture, Proof, Section, Table, Thumbnail, Tile,
 };
-use crate::escape::{html, unbroken};
+use crate::escape::{html, with_bound_units};
 use lcplab_lcp::disk;
 use lcplab_lcp::error::{Defects, Error, Result};
 
@@ -504,35 +504,6 @@ fn written(template: &impl Template) -> std::result::Result<String, String> {
 fn finished(html: &Html) -> Result<String> {
     let written = written(html).map(|html| with_bound_units(&html));
     written.map_err(|reason| Error::invalid("page", html.page.title.as_str(), reason))
-}
-
-/// Elements whose text stays as it is.
-const VERBATIM: [&str; 6] = ["script", "style", "pre", "code", "svg", "textarea"];
-
-/// The page with [`unbroken`] text.
-///
-/// ```
-/// use lcplab_page::page::with_bound_units;
-///
-/// let html = with_bound_units("<p>w ≥ 2 m/s</p><pre>w ≥ 2 m/s</pre>");
-/// assert_eq!(html, "<p>w\u{a0}≥\u{a0}2\u{a0}m/s</p><pre>w ≥ 2 m/s</pre>");
-/// ```
-pub fn with_bound_units(html: &str) -> String {
-    let mut out = String::with_capacity(html.len());
-    let mut rest = html;
-    while let Some(at) = rest.find('<') {
-        out += &unbroken(&rest[..at]);
-        rest = &rest[at..];
-        let name = VERBATIM.iter().find(|name| {
-            let after = rest[1..].strip_prefix(*name);
-            after.is_some_and(|after| after.starts_with([' ', '>']))
-        });
-        let end = name.map_or(">".into(), |name| format!("</{name}>"));
-        let length = rest.find(&end).map_or(rest.len(), |at| at + end.len());
-        out += &rest[..length];
-        rest = &rest[length..];
-    }
-    out + &unbroken(rest)
 }
 
 /// Bytes as base64 (RFC 4648), as used in `data:` addresses.

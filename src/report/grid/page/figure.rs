@@ -192,8 +192,7 @@ fn finding(
 
 /// How the place of the curves' least values moves from the first curve to the last one; of a rate,
 /// how these values change, by the closed form if there is one. `None` for values of both signs,
-/// whose least is the most negative, and
-/// where the ends of a curve are hardly larger.
+/// whose least is the most negative, and where the ends of a curve are hardly larger.
 fn least(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<String> {
     let inside = |own: &Series| {
         let finite = || own.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());

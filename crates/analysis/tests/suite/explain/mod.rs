@@ -11,6 +11,8 @@ use lcplab_lcp::Question;
 use lcplab_lcp::file::Problem;
 use lcplab_mechanics::scene::{Scene, Scheme};
 use lcplab_page::document::{Document, Format, Formula, SHOWN, Section};
+use lcplab_page::number::readable;
+use lcplab_solver::Options;
 
 fn explained(scene: &str, level: Scheme, solver: &str) -> Document {
     let mut scene = Scene::load(scene).unwrap();
@@ -105,6 +107,29 @@ fn a_later_step_starts_where_the_one_before_ended() {
     assert!(text.contains("The start is x = (4, 3, 1) N s."), "{text}"); // the impulses of step 1
     // Each x is the weight above the contact.
     assert!(text.contains("with x = (3, 2, 1) N s: solved."), "{text}");
+}
+
+#[test]
+fn the_lead_states_the_load_on_fixed_bodies_and_claims_no_solution_of_a_solver_without_one() {
+    let lead = |scene, level| explained(scene, level, "dantzig").lead;
+    let (sin, cos) = 20f64.to_radians().sin_cos();
+    // A box of 2 kg slides with μ = 0.3: normal force and friction along the vertical.
+    let sliding = 2.0 * 9.81 * cos * (cos + 0.3 * sin);
+    for (scene, level, supported, weight) in [
+        ("fig7", Scheme::Acceleration, 3.0, 3.0),
+        ("stack", Scheme::Velocity, 5.0 * 9.81, 5.0 * 9.81),
+        ("incline", Scheme::Velocity, sliding, 2.0 * 9.81),
+        ("pendulum", Scheme::Velocity, 0.0, 9.81), // its rod is horizontal
+    ] {
+        let [supported, weight] = [supported, weight].map(|force| readable(force, 3));
+        let lead = lead(scene, level);
+        assert!(lead.contains(&format!(" push with {supported} N")), "{lead}");
+        assert!(lead.contains(&format!(" the weight of {weight} N. ")), "{lead}");
+        assert!(lead.contains(" finds ") && lead.ends_with("The judge accepts every answer."));
+    }
+    let method = Method::with("pgs", Options::default().with_max_iterations(3)).unwrap();
+    let lead = step(&Scene::load("fig7").unwrap(), &method, 1).unwrap().lead;
+    assert!(!lead.contains(" finds ") && !lead.contains("The judge accepts"), "{lead}");
 }
 
 #[test]
