@@ -206,7 +206,7 @@ fn a_matrix_is_found_on_which_least_index_pivoting_takes_many_pivots_and_block_p
         solver.solve(&counterexample.lcp, &Start::default(), &mut ()).iterations
     };
     let (murty, block) = (pivots("murty"), pivots("block-pivoting"));
-    assert_eq!(murty as f64 / block as f64, counterexample.value);
+    assert_eq!(murty as f64 / block.max(1) as f64, counterexample.value);
     assert!(counterexample.value >= 12.0, "{murty} {block}");
 }
 

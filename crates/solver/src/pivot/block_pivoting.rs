@@ -1,6 +1,7 @@
 //! Block principal pivoting: all wrong rows change sides at once, with Murty's rule as a safeguard.
 //!
 //! ```text
+//! start    the active set of a guess, or of a few Gauss-Seidel sweeps from 0
 //! repeat   x ← the point of the active set
 //!          H ← the rows that are not satisfied
 //!          |H| is the least so far:    all of H change sides; `patience` is full again
@@ -24,6 +25,7 @@
 
 use std::ops::ControlFlow;
 
+use super::active_set::ActiveSet;
 use super::free_rows::FreeRows;
 use super::principal::{self, Change, Search};
 use super::proximal;
@@ -58,6 +60,9 @@ impl Solver for BlockPivoting {
     fn solve(&self, lcp: &Lcp, start: &Start<'_>, observer: &mut dyn Observer) -> Solution {
         start.with_cache(|left| {
             let needs = FreeRows::memory(lcp);
+            if start.x.is_none() && left.set.is_none() {
+                left.set = ActiveSet::after_sweeps(lcp);
+            }
             principal::solve(
                 lcp,
                 start,
@@ -73,7 +78,6 @@ impl Solver for BlockPivoting {
 
 impl BlockPivoting {
     fn search(&self, lcp: &Lcp, search: &mut Search<'_>, equations: &mut FreeRows) -> Solution {
-        let start = search.point.x.clone();
         search.safeguard = Some(Fallback::LeastIndex);
         let then = if equations.are_symmetric() { Change::None } else { Change::Least };
         let rule = rule(self.patience, then);
@@ -82,9 +86,11 @@ impl BlockPivoting {
             ControlFlow::Break(status) => status,
         };
         match status {
-            Status::Solved | Status::Stopped | Status::IterationLimit => search.solution(status),
-            _ if equations.are_symmetric() => proximal::solve(lcp, search, start),
-            _ => search.solution(status),
+            Status::Solved | Status::Stopped | Status::IterationLimit => {
+                search.solution(lcp, status)
+            }
+            _ if equations.are_symmetric() => proximal::solve(lcp, search),
+            _ => search.solution(lcp, status),
         }
     }
 }

@@ -62,7 +62,7 @@ impl Solver for Murty {
                             ControlFlow::Continue(()) => search.claim(lcp),
                             ControlFlow::Break(status) => status,
                         };
-                    search.solution(status)
+                    search.solution(lcp, status)
                 },
             )
         })

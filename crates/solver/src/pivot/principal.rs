@@ -1,5 +1,6 @@
 //! The loop of the principal pivoting methods, from one active set to the next.
 
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 
 use super::active_set::{ActiveSet, Side};
@@ -77,8 +78,10 @@ pub(crate) struct Search<'a> {
     pub(crate) settings: &'a Settings,
     pub(crate) observer: &'a mut dyn Observer,
     pub(crate) set: ActiveSet,
-    /// The last point, initially the start.
-    pub(crate) point: Point,
+    /// The x that the method starts from.
+    pub(crate) start: Vec<f64>,
+    /// The last point; `None` before the first.
+    pub(crate) point: Option<Point>,
     /// The number of changes so far.
     pub(crate) count: usize,
     /// The fallback that was used.
@@ -87,7 +90,19 @@ pub(crate) struct Search<'a> {
     pub(crate) safeguard: Option<Fallback>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    /// A search from this active set and start, after this number of changes.
+    pub(crate) fn new(
+        set: ActiveSet,
+        start: Vec<f64>,
+        count: usize,
+        settings: &'a Settings,
+        observer: &'a mut dyn Observer,
+    ) -> Self {
+        let (point, fallback, safeguard) = (None, None, None);
+        Search { settings, observer, set, start, point, count, fallback, safeguard }
+    }
+
     /// Changes sides until all rows are satisfied. `point` computes the point of an active set;
     /// `rule` chooses, given the number of unsatisfied rows. `arrival` is the event of the first
     /// point, if it is to be reported to an observer.
@@ -100,16 +115,15 @@ impl Search<'_> {
     ) -> ControlFlow<Status> {
         let mut event = arrival;
         loop {
-            match point(&self.set) {
-                Ok(point) => self.point = point,
+            let point = match point(&self.set) {
+                Ok(point) => self.point.insert(point),
                 Err(status) => return ControlFlow::Break(status),
-            }
+            };
+            let better = |i| Some((i, self.set.better_side(lcp, i, point)?));
+            let wrong: Vec<(usize, Side)> = (0..lcp.len()).filter_map(better).collect();
             if let Some(event) = event {
                 self.observe(event)?;
             }
-            let wrong: Vec<(usize, Side)> = (0..lcp.len())
-                .filter_map(|i| Some((i, self.set.better_side(lcp, i, &self.point)?)))
-                .collect();
             let Some(&(least, _)) = wrong.first() else {
                 return ControlFlow::Continue(());
             };
@@ -139,18 +153,27 @@ impl Search<'_> {
     }
 
     fn observe(&mut self, event: Event) -> ControlFlow<Status> {
-        let iterate = Iterate { iteration: self.count, x: &self.point.x, event };
+        let x = self.point.as_ref().map_or(&self.start, |point| &point.x);
+        let iterate = Iterate { iteration: self.count, x, event };
         self.observer.observe(&iterate).map_break(|()| Status::Stopped)
+    }
+
+    /// The last point; before the first, that of the start.
+    pub(crate) fn last(&self, lcp: &Lcp) -> Cow<'_, Point> {
+        match &self.point {
+            Some(point) => Cow::Borrowed(point),
+            None => Cow::Owned(Point::at(lcp, self.start.clone())),
+        }
     }
 
     /// The status for the last point.
     pub(crate) fn claim(&self, lcp: &Lcp) -> Status {
-        self.point.claim(lcp, self.settings.tolerance)
+        self.last(lcp).claim(lcp, self.settings.tolerance)
     }
 
     /// The last point as a solution.
-    pub(crate) fn solution(&self, status: Status) -> Solution {
-        self.point.clone().solution(status, self.count).with_fallback(self.fallback)
+    pub(crate) fn solution(&self, lcp: &Lcp, status: Status) -> Solution {
+        self.last(lcp).into_owned().solution(status, self.count).with_fallback(self.fallback)
     }
 }
 
@@ -188,10 +211,7 @@ pub(crate) fn solve(
     frozen::solve(lcp, x, settings, |lcp, x, count| {
         let first = set.take().and_then(|set| set.fitted(lcp));
         let first = first.unwrap_or_else(|| ActiveSet::initial(lcp, start, &x));
-        let point = Point::at(lcp, x);
-        let (fallback, safeguard) = (None, None);
-        let mut search =
-            Search { settings, observer, set: first, point, count, fallback, safeguard };
+        let mut search = Search::new(first, x, count, settings, observer);
         let solution = method(lcp, &mut search);
         *set = Some(search.set);
         solution

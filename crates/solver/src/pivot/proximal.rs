@@ -81,13 +81,12 @@ impl Rho {
     }
 }
 
-/// Solves a problem with symmetric A by proximal steps from x, starting with the active set of the
-/// search.
-pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution {
+/// Solves a problem with symmetric A by proximal steps, from the start and active set of the search.
+pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>) -> Solution {
     search.fallback = Some(Fallback::Proximal);
     let mut steps = Steps { lcp, rho: Rho::least(), soft: None };
-    let mut center = x.clone();
-    let (mut best, mut least, mut idle) = (search.point.clone(), f64::INFINITY, 0);
+    let mut center = search.start.clone();
+    let (mut best, mut least, mut idle) = (search.last(lcp).into_owned(), f64::INFINITY, 0);
     loop {
         let first = search.count + 1;
         match steps.step(search, &center) {
@@ -98,21 +97,22 @@ pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>, x: Vec<f64>) -> Solution
                 steps.rho.rise();
                 continue;
             }
-            ControlFlow::Break(status) => return search.solution(status),
+            ControlFlow::Break(status) => return search.solution(lcp, status),
         }
-        let before = std::mem::replace(&mut center, search.point.x.clone());
-        let residual = search.point.largest_residual();
+        let point = search.last(lcp);
+        let before = std::mem::replace(&mut center, point.x.clone());
+        let residual = point.largest_residual();
         if residual < IMPROVEMENT * least {
-            (best, least, idle) = (search.point.clone(), residual, 0);
+            (best, least, idle) = (point.into_owned(), residual, 0);
         } else if steps.rho.exponent == LEAST {
             idle += 1;
         }
         if residual <= RESIDUAL_ROUNDING || idle == IDLE {
             let (status, count) = (Status::Inaccurate, search.count);
-            let solution = iterate::finish(lcp, [&before, &x], center, status, count);
+            let solution = iterate::finish(lcp, [&before, &search.start], center, status, count);
             if is_solved(lcp, &best, search.settings.tolerance) {
-                search.point = best;
-                return search.solution(Status::Solved);
+                search.point = Some(best);
+                return search.solution(lcp, Status::Solved);
             }
             return solution.with_fallback(search.fallback);
         }
@@ -143,12 +143,10 @@ pub(crate) fn after(lcp: &Lcp, failed: Solution, settings: &Settings) -> Solutio
     // A warm start may be large in directions that the rows do not determine.
     let x = start.point(lcp);
     let set = ActiveSet::initial(lcp, &start, &x);
-    let (point, count) = (Point::at(lcp, x.clone()), failed.iterations);
     // The observer watches another method, so it does not receive these iterates.
     let observer = &mut ();
-    let mut search =
-        Search { settings, observer, set, point, count, fallback: None, safeguard: None };
-    let solution = solve(lcp, &mut search, x);
+    let mut search = Search::new(set, x, failed.iterations, settings, observer);
+    let solution = solve(lcp, &mut search);
     match solution.status {
         Status::Solved | Status::Stopped => solution,
         _ => failed,
@@ -189,7 +187,7 @@ impl Steps<'_> {
         let (set, rule) = (search.set.clone(), rule(PATIENCE, then));
         let end =
             search.run(&problem, |set| equations.point(&problem, set), rule, Some(Event::Step));
-        search.point = Point::at(lcp, std::mem::take(&mut search.point.x));
+        search.point = Some(Point::at(lcp, search.last(lcp).x.clone()));
         if let ControlFlow::Break(Status::Stalled | Status::Singular { .. }) = end {
             search.set = set;
         }

@@ -30,7 +30,7 @@ fn the_safeguard_takes_over_where_blocks_cycle_and_is_seen() {
 fn a_singular_block_of_a_symmetric_matrix_is_solved_by_proximal_steps() {
     // From x = (0, 0) both rows become free; their equations contradict each other. x = (0, 2).
     let lcp = contacts(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -2.0]);
-    let block = BlockPivoting::default().solve(&lcp, &Start::default(), &mut ());
+    let block = BlockPivoting::default().solve(&lcp, &Start::at(&[0.0, 0.0]), &mut ());
     assert_eq!((&block.status, block.fallback), (&Status::Solved, Some(Fallback::Proximal)));
     assert_proved(&lcp, &block.x);
 }
@@ -38,7 +38,7 @@ fn a_singular_block_of_a_symmetric_matrix_is_solved_by_proximal_steps() {
 #[test]
 fn a_singular_block_of_another_matrix_is_named() {
     let lcp = contacts(&[&[1.0, 1.0], &[2.0, 2.0]], &[-1.0, -3.0]);
-    let block = BlockPivoting::default().solve(&lcp, &Start::default(), &mut ());
+    let block = BlockPivoting::default().solve(&lcp, &Start::at(&[0.0, 0.0]), &mut ());
     assert_eq!(block.status, Status::Singular { row: 1 });
     assert_eq!(block.x, [0.0, 0.0]);
 }

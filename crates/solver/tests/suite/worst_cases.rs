@@ -15,11 +15,11 @@ fn problem(family: &str, n: u32, reversed: bool) -> Lcp {
     library::by_name(family).unwrap().generate(&given).unwrap().lcp
 }
 
-/// The number of iterations to a solution that the judge proves.
+/// The number of iterations from x = 0 to a solution that the judge proves.
 #[track_caller]
 fn cost(solver: &str, lcp: &Lcp) -> usize {
     let solver = Registry::standard().entry(solver).unwrap().build(&Options::default());
-    let solution = solver.solve(lcp, &Start::default(), &mut ());
+    let solution = solver.solve(lcp, &Start::at(&vec![0.0; lcp.len()]), &mut ());
     assert_eq!(solution.status, Status::Solved);
     assert_proved(lcp, &solution.x);
     solution.iterations
