@@ -114,6 +114,9 @@ impl Layout {
         let width = (sheet - 2.0 * EDGE - (columns - 1) as f64 * GAP) / columns as f64;
         let (w, h) = window.size();
         let scale = ((width - 2.0 * PADDING) / w).min((HIGHEST - 2.0 * PADDING) / h);
+        // A single cell is no wider than its picture.
+        let width =
+            if frames > 1 { width } else { width.min((w * scale).max(LEAST) + 2.0 * PADDING) };
         Layout { columns, rows, width, height: h * scale + 2.0 * PADDING, scale }
     }
 

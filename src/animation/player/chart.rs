@@ -121,7 +121,7 @@ pub(super) fn svg(animation: &Animation, measure: Measure) -> String {
             at + 4.0
         );
     }
-    for tick in Scale::Linear.ticks((0.0, end), 8) {
+    for tick in Scale::Linear.ticks((0.0, end), 6) {
         let (at, label) = (x(tick.at), tick.label);
         let anchor = if at > right - 12.0 { "end" } else { "middle" };
         let unit = if tick.at == 0.0 { " s" } else { "" };

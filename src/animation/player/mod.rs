@@ -20,7 +20,7 @@ use crate::page::{Chart, DrawnAnimation, Pane};
 use crate::plot::canvas::hex;
 use crate::plot::{Figure as _, style};
 use crate::scene::Scene;
-use crate::simulation::{Failure, Motion, Simulation, Step};
+use crate::simulation::{Cause, Failure, Motion, Simulation, Step};
 use crate::solver::Stop;
 pub use chart::Measure;
 use stage::Stage;
@@ -66,6 +66,8 @@ pub struct Animation {
     pub start: Option<usize>,
 }
 
+/// An energy within this fraction of its change from its last value has settled.
+const SETTLED: f64 = 0.01;
 /// Errors whose ratio is above this differ clearly.
 const DIFFERENT: f64 = 2.0;
 
@@ -104,7 +106,13 @@ impl Recording {
 
     /// Records why the simulation ended early, if it did.
     pub(crate) fn end(&mut self, failure: Option<&Failure>) {
-        self.ending = failure.map(ToString::to_string);
+        self.ending = failure.map(|own| match own.cause {
+            Cause::NoSolution { .. } => {
+                let time = readable(own.time, 6);
+                format!("step {}, at {time} s: no forces satisfy Coulomb's law", own.step)
+            }
+            _ => own.to_string(),
+        });
     }
 
     /// The instants that a strip shows.
@@ -223,10 +231,7 @@ impl Animation {
             times: self.times(),
             panes: self.panes(),
             charts: self.measures().into_iter().map(chart).collect(),
-            strips: (0..self.recordings.len())
-                .filter(|&k| self.recordings[k].samples.len() > 1)
-                .map(|k| self.strip(k).svg())
-                .collect(),
+            strips: self.strips().iter().map(Strip::svg).collect(),
             data: self.data(),
         }
     }
@@ -256,7 +261,28 @@ impl Animation {
             );
             is_clear.then_some((measure, title))
         };
-        chart::measures(self).into_iter().rev().find_map(said)
+        let measures = chart::measures(self).into_iter().rev();
+        measures.clone().find_map(said).or_else(|| Some((Measure::Energy, self.settling()?)))
+    }
+
+    /// The recordings that dissipate energy for the longest and the shortest time, if these differ
+    /// clearly.
+    fn settling(&self) -> Option<String> {
+        let settled = |own: &Recording| {
+            let energies = chart::values(own, Measure::Energy);
+            let end =
+                *energies.last().filter(|end| -**end > chart::least(self, Measure::Energy))?;
+            let k = energies.iter().rposition(|energy| (energy - end).abs() > SETTLED * -end)? + 1;
+            Some((own.samples.get(k)?.motion.time, own.name.clone()))
+        };
+        let complete = self.recordings.iter().filter(|own| own.ending.is_none());
+        let mut times = complete.map(settled).collect::<Option<Vec<_>>>()?;
+        times.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let ([(long, slow), ..], (short, fast)) = (&times[..], times.last()?) else { return None };
+        (*long > DIFFERENT * short).then(|| {
+            let [long, short] = [long, short].map(|time| readable(*time, 2));
+            format!("Dissipation ends within {long} s with {slow}, within {short} s with {fast}")
+        })
     }
 
     /// The number of recordings side by side.
@@ -332,8 +358,38 @@ impl Animation {
         Strip { view: self.view, ..Strip::new(&self.scene, frames) }.thumbnail(size)
     }
 
+    /// The pictures that are printed: some instants of each recording, or the one shown first, as
+    /// under each other frames are too small for the forces on several bodies.
+    fn strips(&self) -> Vec<Strip> {
+        let is_moving = |body: &&Body| body.mass != Mass::Fixed;
+        let moving = self.scene.bodies.iter().filter(is_moving).count();
+        let is_moved = |own: &&Recording| own.samples.len() > 1;
+        if self.recordings.len() <= FEW || moving <= FEW {
+            let strips = (0..self.recordings.len()).filter(|&k| is_moved(&&self.recordings[k]));
+            return strips.map(|k| self.strip(k)).collect();
+        }
+        let k = self.first_shown();
+        let shown: Vec<_> =
+            self.recordings.iter().filter_map(|own| Some((own, own.samples.get(k)?))).collect();
+        let frames: Vec<Frame> = shown.iter().map(|(_, sample)| sample.frame.clone()).collect();
+        let time = readable(self.times()[k], 3);
+        let strip = Strip {
+            title: format!("After {time} s"),
+            others: self
+                .recordings
+                .iter()
+                .flat_map(Recording::frames)
+                .filter(Frame::is_finite)
+                .collect(),
+            labels: shown.iter().map(|(own, _)| own.name.clone()).collect(),
+            view: self.view,
+            ..Strip::new(&self.scene, frames)
+        };
+        vec![strip.named(&self.id).with_forces()]
+    }
+
     /// Some instants of a recording as a picture.
-    pub(crate) fn strip(&self, recording: usize) -> Strip {
+    fn strip(&self, recording: usize) -> Strip {
         let count = if self.recordings.len() == 1 { STILLS.0 } else { STILLS.1 };
         let stills: Vec<Vec<Frame>> = self.recordings.iter().map(|own| own.stills(count)).collect();
         let sizes: Vec<f64> = stills
@@ -344,7 +400,7 @@ impl Animation {
         let least = sizes.iter().copied().fold(f64::INFINITY, f64::min);
         let is_calm = |k: usize| sizes[k] <= CALM * least;
         let others = (0..stills.len()).filter(|&k| is_calm(recording) && is_calm(k));
-        let strip = Strip {
+        Strip {
             id: format!("{}-{recording}", self.id),
             title: self.recordings[recording].name.clone(),
             view: self.view,
@@ -352,12 +408,8 @@ impl Animation {
                 .flat_map(|k| stills[k].iter().filter(|frame| frame.is_finite()).cloned())
                 .collect(),
             ..Strip::new(&self.scene, stills[recording].clone())
-        };
-        // Under each other the frames are too small for the forces on several bodies.
-        let is_moving = |body: &&Body| body.mass != Mass::Fixed;
-        let is_small =
-            self.recordings.len() > FEW && self.scene.bodies.iter().filter(is_moving).count() > FEW;
-        if is_small { strip } else { strip.with_forces() }
+        }
+        .with_forces()
     }
 
     fn stage(&self) -> Stage {

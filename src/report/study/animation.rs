@@ -37,9 +37,6 @@ pub struct Plan {
     pub variants: Vec<Variant>,
     /// What to see, one or two sentences.
     pub caption: String,
-    /// The title, if no measure differs between the variants.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub finding: Option<String>,
 }
 
 /// A variant of a scene: a name, and the overridden fields.

@@ -25,13 +25,7 @@ impl ReportPage {
     /// Adds an animation from a recorded motion.
     fn recorded(&mut self, data: &AnimationData, plan: &Plan) {
         match data.animation() {
-            Ok(animation) => {
-                let mut drawn = animation.drawn();
-                if let (true, Some(finding)) = (drawn.title.is_empty(), &plan.finding) {
-                    drawn.title = finding.clone();
-                }
-                self.player(drawn, plan.caption.clone());
-            }
+            Ok(animation) => self.player(animation.drawn(), plan.caption.clone()),
             Err(error) => self.text(format!("The animation cannot be shown: {error}.")),
         }
     }

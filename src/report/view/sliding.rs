@@ -72,9 +72,9 @@ impl View for Plan {
 
     fn headline(&self, findings: &[Finding]) -> Headline {
         let answer = findings.first().map(|study| {
-            let (turned, model) = extreme(|model| aside(study, model));
+            let (turned, models) = most_aside();
             format!(
-                "**Boxes and polygons hold {} and turn friction by up to {turned:.0}° ({model}).** Only the cone obeys \
+                "**Boxes and polygons hold {} and turn friction by up to {turned:.0}° ({models}).** Only the cone obeys \
                  Coulomb's law.",
                 strength(study)
             )
@@ -113,14 +113,14 @@ fn checked<'a, T: 'a>(
 fn models(study: &Finding) -> Table {
     let row = |model: &Model| {
         let held = held(study, *model).map(|part| Cell::number((100.0 * part).round(), 3));
-        let aside = Cell::number(aside(study, *model).round(), 2);
+        let aside = Cell::number(aside(*model), 3);
         [Cell::text(short(*model))].into_iter().chain(held).chain([aside]).collect()
     };
     Table::new(
         "Friction under each model",
         format!(
             "A block is pushed in directions {}° apart. *weakest*, *strongest*: the largest push that does not move it, \
-             relative to Coulomb's limit. *off*: the largest error of the direction of friction.",
+             relative to Coulomb's limit. *off*: the largest angle between friction and the direction against the slip, from the lines of Figure 2.",
             readable(PUSH_ANGLE, 2)
         ),
         "model | #weakest (%) | #strongest (%) | #off (°)",
@@ -149,11 +149,16 @@ fn held(study: &Finding, model: Model) -> [f64; 2] {
     grips.fold([f64::INFINITY, 0.0], |[lo, hi], grip| [f64::min(lo, grip), f64::max(hi, grip)])
 }
 
-/// The largest angle between friction and the direction against the slip (degrees).
-fn aside(study: &Finding, model: Model) -> f64 {
-    let slides = study.slides.iter().filter(|slide| slide.answer.model == model);
-    let angles = slides.filter_map(|slide| slide.answer.contacts.first()?.misalignment);
-    angles.fold(0.0, f64::max)
+/// The bound of the angle between friction and the direction against the slip (degrees).
+fn aside(model: Model) -> f64 {
+    stairs(model).iter().map(|(slip, friction)| (slip - friction).abs()).fold(0.0, f64::max)
+}
+
+/// The largest of these angles, and the models that have it.
+fn most_aside() -> (f64, String) {
+    let (most, _) = extreme(aside);
+    let models = SHOWN.into_iter().filter(|model| aside(*model) > most - AGREES).map(short);
+    (most, models.collect::<Vec<_>>().join(", "))
 }
 
 /// How far each model stops the block from where Coulomb's law does.
@@ -273,16 +278,16 @@ fn direction_figure(study: &Finding) -> Lines {
     };
     let theory =
         |model: &Model| Series::theory(format!("theory, {}", short(*model)), stairs(*model));
-    let (most, name) = extreme(|model| aside(study, model));
+    let (most, names) = most_aside();
     Lines::new(
         "friction_direction",
         format!(
-            "Friction points up to {most:.0}° away from the direction against the slip ({name})"
+            "Friction points up to {most:.0}° away from the direction against the slip ({names})"
         ),
         format!(
             "The push is {} times the largest push that friction can resist, in directions from 0 to 90° \
              from t₁, in steps of 5°. Coulomb's law is the diagonal. With the box model, friction points at 45° to the \
-             tangents unless the slip is along a tangent.",
+             tangents unless the slip is along a tangent, so it is almost 45° off if the slip is almost along one.",
             readable(study.push, 3)
         ),
         Axis::linear("direction opposite to the slip", "degrees from t₁"),

@@ -156,7 +156,7 @@ const ROUNDING: f64 = 1e-7;
 /// The least part of an allowed error that is drawn (%),
 const LEAST: f64 = 1e-4;
 /// and the least of a case that is shown.
-const SHOWN: f64 = 1.0;
+const SHOWN: f64 = 10.0;
 const EXACT: &str = "exact";
 const BOUNDED: &str = "within a bound";
 
@@ -271,10 +271,10 @@ fn dots(rows: &[Row]) -> Bars {
     }
     let below = match cases - bars.len() {
         0 => String::new(),
-        1 => " One further case is not shown: its errors are below 1 % of the allowed ones."
+        1 => " One further case is not shown: its errors are below 10 % of the allowed ones."
             .to_string(),
         others => format!(
-            " {others} further cases are not shown: their errors are below 1 % of the allowed ones."
+            " {others} further cases are not shown: their errors are below 10 % of the allowed ones."
         ),
     };
     bars.sort_by(|a, b| b.value.total_cmp(&a.value));

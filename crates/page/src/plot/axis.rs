@@ -104,6 +104,19 @@ impl Axis {
         Axis { is_to_scale: true, ..Axis::linear(label, unit) }
     }
 
+    /// The ticks between two positions, about `wanted` of them; parts of a right angle for degrees.
+    pub(super) fn ticks(&self, range: (f64, f64), wanted: usize) -> Vec<Tick> {
+        let is_angle = self.unit.starts_with('°') || self.unit.starts_with("degrees");
+        let steps = [15.0, 30.0, 45.0, 90.0, 180.0].into_iter().filter(|_| is_angle);
+        let all = |step: f64| {
+            let (first, last) = ((range.0 / step).ceil() as i32, (range.1 / step).floor() as i32);
+            let at = (first..=last).map(|k| step * f64::from(k));
+            at.map(|at| Tick { at, label: readable(at, 3) }).collect::<Vec<_>>()
+        };
+        let few = steps.map(all).find(|ticks| (3..=wanted.max(4)).contains(&ticks.len()));
+        few.unwrap_or_else(|| self.scale.ticks(range, wanted))
+    }
+
     /// The label with its unit: `time (s)`.
     pub(crate) fn heading(&self) -> String {
         if self.unit.is_empty() {

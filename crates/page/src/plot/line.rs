@@ -42,6 +42,8 @@ const LOWEST_MAP: f64 = 160.0;
 const HIGHEST_MAP: f64 = 640.0;
 const LABELS: f64 = 50.0;
 
+/// Bands of theory that end within this fraction of the range beyond it are not cut.
+const BEYOND: f64 = 0.2;
 /// Height of a line of the legend in px.
 pub(super) const ROW: f64 = 24.0;
 
@@ -153,7 +155,9 @@ impl Figure for Lines {
         let usual = match (self.panels.len() < 2, wide < style::WIDTH) {
             (true, false) => 340.0,
             (true, true) => 230.0,
+            (false, false) if self.panels.len() > 2 => 170.0,
             (false, false) => 200.0,
+            (false, true) if self.panels.len() > 2 => 110.0,
             (false, true) => 150.0,
         };
         let map = |panel: &Panel| {
@@ -181,10 +185,10 @@ impl Figure for Lines {
 
         let wanted = ((wide - room) / TICK) as usize;
         let at_data = self.at_data((wide - MARGIN - room - LABELS) / (x.1 - x.0));
-        let columns = at_data.unwrap_or_else(|| self.x.scale.ticks(x, wanted));
+        let columns = at_data.unwrap_or_else(|| self.x.ticks(x, wanted));
         let ranges = self.panels.iter().zip(&heights).map(|(panel, plot)| {
             let y = range(panel.y.scale, panel.series.iter(), |(_, y)| y);
-            (y, panel.y.scale.ticks(y, if *plot > 250.0 { 8 } else { 5 }))
+            (y, panel.y.ticks(y, if *plot > 250.0 { 8 } else { 5 }))
         });
         let mut ranges: Vec<_> = ranges.collect();
         let labels = ranges.iter().flat_map(|(_, rows)| rows).map(|row| width(&row.label, TEXT));
@@ -194,7 +198,7 @@ impl Figure for Lines {
             if self.panels[k].y.is_to_scale {
                 let half = 0.5 * heights[k] * (x.1 - x.0) / (right - left);
                 *y = (0.5 * (y.0 + y.1) - half, 0.5 * (y.0 + y.1) + half);
-                *rows = self.panels[k].y.scale.ticks(*y, (heights[k] / 40.0) as usize);
+                *rows = self.panels[k].y.ticks(*y, (heights[k] / 40.0) as usize);
             }
         }
         let mut top = header + 32.0;
@@ -372,7 +376,8 @@ impl Lines {
     }
 }
 
-/// The range of the measured curves on an axis; of all curves if none is measured.
+/// The range of the measured curves on an axis, and of bands of theory that go little beyond; of
+/// all curves if none is measured.
 fn range<'a>(
     scale: Scale,
     series: impl Iterator<Item = &'a Series> + Clone,
@@ -383,7 +388,13 @@ fn range<'a>(
         let points = chosen.flat_map(|series| series.points.iter().copied());
         scale.range(points.filter_map(|point| scale.position(coordinate(point))))
     };
-    positions(Look::is_measured).or_else(|| positions(|_| true)).unwrap_or((0.0, 1.0))
+    let Some((lo, hi)) = positions(Look::is_measured) else {
+        return positions(|_| true).unwrap_or((0.0, 1.0));
+    };
+    let theory = positions(|look| look == Look::Theory).unwrap_or((lo, hi));
+    let beyond = BEYOND * (hi - lo);
+    let lo = if theory.0 > lo - beyond { lo.min(theory.0) } else { lo };
+    (lo, if theory.1 < hi + beyond { hi.max(theory.1) } else { hi })
 }
 
 fn draw_grid(canvas: &mut Canvas, frame: &Frame, columns: &[Tick], rows: &[Tick], labels: bool) {

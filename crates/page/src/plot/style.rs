@@ -289,7 +289,11 @@ const RAMP: [Rgb; 3] = [(110, 175, 240), (20, 100, 180), (10, 25, 70)];
 /// A parameter with its value, as in `r = 10`; ω has the colors of SOR.
 fn parameter(name: &str) -> Option<(&str, f64)> {
     let (label, value) = name.split_once(" = ")?;
-    if label.starts_with("sor") { None } else { Some((label, value.parse().ok()?)) }
+    if label.starts_with("sor") {
+        None
+    } else {
+        Some((label, value.replace(',', "").parse().ok()?))
+    }
 }
 
 /// The look of a value of a parameter of which a figure has at least three.

@@ -1,5 +1,6 @@
 //! The results of a grid as curves across one axis.
 
+use crate::number::readable;
 use crate::report::grid::collect::Point;
 use crate::report::grid::file::{Grid, REPEAT};
 use crate::report::grid::measure::Measure;
@@ -37,7 +38,7 @@ impl<'a> Curves<'a> {
         for point in points {
             let task = point.task;
             let parts = others.iter().map(|path| match task.number(path) {
-                Some(_) => format!("{} = {}", grid.label(path), task.shown(path)),
+                Some(value) => format!("{} = {}", grid.label(path), readable(value, 15)),
                 // The name of a solver or family has its own style.
                 None => task.shown(path),
             });

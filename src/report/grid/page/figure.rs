@@ -275,7 +275,7 @@ fn last_and_first(
             false => counted(grid, measure),
         };
         let other = match readable(*least, 2).as_str() {
-            _ if *least < 1.05 => "no more".into(),
+            _ if *least < 1.05 => format!("no more {}", counted(lowest)),
             "2" => format!("twice the {}", counted(lowest)),
             ratio => format!("{ratio} times the {}", counted(lowest)),
         };

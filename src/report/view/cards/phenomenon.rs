@@ -138,7 +138,7 @@ fn title(record: &Record, phenomenon: &Phenomenon) -> String {
         _ => String::new(),
     };
     format!(
-        "{happens}{installed} of {all} engines obey the law as installed, {accurate} with accurate settings"
+        "{happens}{installed}\u{a0}of\u{a0}{all} engines obey the law as installed, {accurate} with accurate settings"
     )
 }
 

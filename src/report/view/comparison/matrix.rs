@@ -77,8 +77,16 @@ pub fn energy(comparison: &Comparison, run: &Run) -> Grade {
     match run.laws.energy {
         _ if run.steps < comparison.steps => Grade::Missed(f64::INFINITY),
         Energy::Changes => Grade::Unknown,
-        _ => relative(run.laws.energy_error.abs(), run.laws.energy_tolerance),
+        _ => match excess(run) {
+            error if error <= 1.0 => Grade::Obeyed,
+            error => Grade::Missed(error),
+        },
     }
+}
+
+/// The error of the energy of a run relative to its tolerance.
+pub fn excess(run: &Run) -> f64 {
+    run.laws.energy_error.abs() / run.laws.energy_tolerance
 }
 
 fn relative(error: f64, tolerance: f64) -> Grade {

@@ -90,8 +90,7 @@ impl View for Plan {
         };
         let rejected = sum(|run| run.tally.rejected_claims);
         let says = format!(
-            "{} problems, every step of {} scenes with each solver: {} reported as solved, {} answers accepted by \
-             the judge, {rejected} false claims",
+            "{} problems of {} scenes: {} reported as solved, {} answers accepted by the judge, {rejected} false claims",
             count(sum(|run| run.tally.solves)),
             findings.len(),
             count(sum(|run| run.tally.claimed)),
@@ -120,32 +119,54 @@ impl Plan {
             .schemes
             .iter()
             .filter(|scheme| scenes.iter().all(|own| obeys(matrix::closure, own, **scheme)));
-        let kept: Vec<_> = kept.map(|scheme| format!("*{}*", scheme.name())).collect();
-        let kept = match kept.len() {
-            0 => "No scheme keeps".into(),
-            1 => format!("Only {} keeps", kept[0]),
-            count if count == self.schemes.len() => "All schemes keep".into(),
-            _ => format!("Only {} keep", listed(&kept)),
-        };
-        let named = |scene: &Comparison| scene.scene.replace('_', " ");
-        let lost: Vec<_> = scenes
-            .iter()
-            .filter(|own| !self.schemes.iter().any(|scheme| obeys(matrix::energy, own, *scheme)))
-            .map(|own| named(own))
-            .collect();
-        let lost = match lost.is_empty() {
-            true => String::new(),
-            false => format!("; no scheme keeps the energy of {}", listed(&lost)),
-        };
-        let all: Vec<_> = scenes.iter().map(|own| named(own)).collect();
+        let kept: Vec<Scheme> = kept.copied().collect();
+        let title = |scheme: &Scheme| format!("*{}*", scheme.name());
+        let all = listed(&scenes.iter().map(|own| own.scene.replace('_', " ")).collect::<Vec<_>>());
         let mut steps: Vec<_> = scenes.iter().map(|own| readable(own.dt, 3)).collect();
         steps.dedup();
-        Some(format!(
-            "**{kept} gaps and joints within {} % of a body's thickness in {} with dt = {} s{lost}.**",
+        let held = format!(
+            "gaps and joints within {}\u{a0}% of a body's thickness in {all} (dt = {} s)",
             readable(100.0 * HELD, 2),
-            listed(&all),
             listed(&steps)
-        ))
+        );
+        let energy = |scheme: &&Scheme| {
+            let runs = scenes.iter().filter_map(|own| Some((*own, own.best_run(**scheme)?)));
+            let errors = runs.map(|(own, run)| (matrix::excess(run), own.scene.as_str()));
+            errors.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::NAN, ""))
+        };
+        let Some(best) = kept.iter().min_by(|a, b| energy(a).0.total_cmp(&energy(b).0)) else {
+            return Some(format!("**No scheme keeps {held}.**"));
+        };
+        let (error, scene) = energy(&best);
+        let mut says = format!(
+            "**Use {}.** {} of {} schemes keep {held}: {}. Of these {} has the smallest error of the energy, {} times its \
+             tolerance ({}).",
+            title(best),
+            kept.len(),
+            self.schemes.len(),
+            listed(&kept.iter().map(title).collect::<Vec<_>>()),
+            title(best),
+            readable(error, 2),
+            scene.replace('_', " ")
+        );
+        let others = findings.iter().filter(|own| !own.starts_within_tolerance());
+        for own in others {
+            let added = |scheme: &Scheme| own.best_run(*scheme).map(Run::energy_change);
+            let most = kept.iter().filter_map(|scheme| Some((added(scheme)?, scheme)));
+            let most = most.max_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some(((most, worst), added)) =
+                most.zip(added(best)).filter(|((most, _), own)| most > own)
+            {
+                says += &format!(
+                    " Where bodies start inside each other ({}) it adds {} J, {} {} J.",
+                    own.scene.replace('_', " "),
+                    readable(added, 2),
+                    title(worst),
+                    readable(most, 2)
+                );
+            }
+        }
+        Some(says)
     }
 
     /// The schemes or solvers with problems without an answer, and the reason of a single one.

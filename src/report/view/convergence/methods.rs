@@ -47,7 +47,7 @@ pub(super) fn headline(progress: &Progress, choices: &[&Progress]) -> Headline {
     let [first, _, ..] = solved[..] else { return Headline::default() };
     let figure: Box<dyn Figure> = Box::new(costs(progress, &solved, default(choices)));
     let table = (!choices.is_empty()).then(|| ("choices".to_string(), choice(choices)));
-    let answer = Some(answer(progress, solved.len(), first, choices));
+    let answer = Some(answer(progress, first, choices));
     Headline { answer, figure: Some(figure), table, ..Headline::default() }
 }
 
@@ -59,38 +59,23 @@ fn by_cost(progress: &Progress) -> Vec<&MethodProgress> {
     methods
 }
 
-fn answer(
-    progress: &Progress,
-    solved: usize,
-    first: &MethodProgress,
-    choices: &[&Progress],
-) -> String {
-    let tried = progress.methods.iter().filter(|method| method.outcome.is_attempt()).count();
+fn answer(progress: &Progress, first: &MethodProgress, choices: &[&Progress]) -> String {
     let iterations = first.marks.last().map_or(0, |end| end.iteration);
-    let compared = budget(progress).map_or(String::new(), |ten| {
-        let left = left(progress).map_or(String::new(), |share| {
-            format!(
-                ", which leave {share} of the weight unsupported, because a sweep passes the load only from contact to contact"
-            )
-        });
+    let budget = budget(progress).zip(left(progress)).map_or(String::new(), |(ten, share)| {
         let part = readable((100.0 * work(first) / ten).round(), 3);
         format!(
-            ", {part}\u{a0}% of the work of ten sweeps of *pgs* (projected Gauss-Seidel){left}"
+            "Ten sweeps of *pgs* (projected Gauss-Seidel), a typical budget in engines, leave {share} of its weight \
+             unsupported, because a sweep passes the load only from contact to contact; *{}* needs {}, {part}\u{a0}% of that work.",
+            first.solver,
+            iterations_in_words(&first.solver, iterations),
         )
     });
-    let all = match solved == tried {
-        true => format!("all {solved}"),
-        false => format!("{solved} of {tried}"),
-    };
-    format!(
-        "{}For a stack of {} ({} rows), {} is cheapest: {}{compared}. On this stack {all} solvers reach a scaled residual of {}.",
-        decision(choices).unwrap_or_default(),
-        in_words(&progress.problem),
-        count(progress.rows),
-        named(&first.solver),
-        iterations_in_words(&first.solver, iterations),
-        tolerance(progress.tolerance),
-    )
+    let stack =
+        format!("a stack of {} ({} rows)", in_words(&progress.problem), count(progress.rows));
+    match decision(choices) {
+        Some(decision) => format!("{decision} Figure 1 shows {stack}. {budget}"),
+        None => format!("The problem is {stack}; {} is cheapest. {budget}", named(&first.solver)),
+    }
 }
 
 /// A stack in words: `4 boxes, the top one 100 times as heavy`.
@@ -144,11 +129,11 @@ fn decision(choices: &[&Progress]) -> Option<String> {
     let cheapest: Vec<_> =
         cheapest.iter().map(|(solver, kind)| format!("*{solver}* for the {kind}")).collect();
     Some(format!(
-        "**Default: *{solver}*{}, at most about {} times the cost of the cheapest in all {} problems of Table 1.** \
-         The cheapest is {}; pivoting is counted with dense matrices. ",
-        reason(solver),
-        rough(most),
+        "**Use *{solver}*: it solves all {} problems of Table 1, at no more than about {} times the cost of the \
+         cheapest solver.**{} Cheapest are {} (pivoting is counted with dense matrices).",
         choices.len(),
+        rough(most),
+        reason(solver),
         listed(&cheapest)
     ))
 }
@@ -156,9 +141,7 @@ fn decision(choices: &[&Progress]) -> Option<String> {
 /// Why a solver is fast, at its first mention.
 fn reason(solver: &str) -> &str {
     match solver {
-        Mprgp::NAME => {
-            " (conjugate gradients within the bounds, which correct all contacts at once)"
-        }
+        Mprgp::NAME => " Its conjugate gradients within the bounds correct all contacts at once.",
         _ => "",
     }
 }
@@ -196,7 +179,7 @@ fn choice(choices: &[&Progress]) -> Table {
         };
         let mut cells = vec![Cell::text(plain(&progress.problem)), Cell::count(progress.rows)];
         cells.extend(shown.iter().map(cost));
-        cells.push(left(progress).map_or(Cell::text("–"), Cell::text));
+        cells.push(left(progress).map_or(Cell::default(), Cell::text));
         cells
     };
     let mut columns = vec![Column::words("problem"), Column::numbers("rows", "").wide()];

@@ -20,8 +20,8 @@ pub(super) fn show(runs: &[&LongRun], document: &mut ReportPage) {
          step adds $(v\\,dt)^2/2l$ and removes a fraction of the error, $\\beta$ at velocity level and $\\alpha\\,dt$ \
          at acceleration level ($\\alpha$ is the rate of feedback). The error settles where both are equal, at \
          $(v\\,dt)^2/(2 l \\beta)$, which is of *second* order in dt, or at $v^2 dt/(2 l \\alpha)$, of *first* order. \
-         A ball in free flight has no constraint. Midpoint and RK4 follow its parabola exactly, and lcplab computes \
-         the time of the impact within the step.",
+         Midpoint and RK4 follow the parabola of a ball exactly, and lcplab computes the time of the impact within the \
+         step.",
     );
     document.figure(figure(section_id(document) + "_long", runs));
 }

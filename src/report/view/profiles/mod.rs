@@ -80,7 +80,7 @@ impl Plan {
             0 => String::new(),
             count => format!("; no solver solves {count} of them"),
         };
-        let verb = if named.len() == 1 { "solves" } else { "solve" };
+        let verb = if named.len() == 1 { "it solves" } else { "each solves" };
         let of_contacts = solvers.iter().map(|solver| (solver, semidefinite(tried, solver, last)));
         let of_contacts: Vec<(&String, (usize, usize))> = of_contacts.collect();
         let most = of_contacts.iter().map(|(_, (solved, _))| *solved).max()?;
@@ -96,9 +96,9 @@ impl Plan {
             false => italic(best_of_contacts),
         };
         Some(format!(
-            "**{} {verb} {best} of the {} problems that have a solution, the most of {} solvers** (tolerance \
+            "**Use {}: {verb} {best} of the {} problems that have a solution, the most of {} solvers** (tolerance \
              {}{others}). Of the {all} with symmetric semidefinite A, as contacts and joints have, {these} solve {most}.",
-            listed(&named),
+            listed(&named).replace(" and ", " or "),
             costs.len(),
             solvers.len(),
             tolerance(self.tolerances[last]),

@@ -85,12 +85,9 @@ fn drawn(factor: &Factor) -> impl Iterator<Item = &Ordered> {
 /// What reordering saves.
 fn gain(factors: &[&Factor]) -> String {
     let gain = |factor: &&Factor| {
-        let entries: Vec<f64> = drawn(factor).map(|own| own.entries as f64).collect();
+        let entries: Vec<String> = drawn(factor).map(|own| count(own.entries)).collect();
         let (natural, least) = (entries.first()?, entries.last()?);
-        Some(format!(
-            "Reordering leaves {} times fewer entries in L; ",
-            readable(natural / least, 2)
-        ))
+        Some(format!("Reordering cuts the entries of L from {natural} to {least}; "))
     };
     factors.iter().filter_map(gain).collect()
 }
