@@ -80,8 +80,7 @@ fn the_matrix_of_schemes_has_each_error_in_multiples_of_its_tolerance() {
     ];
     assert_eq!(rows, expected);
     let answer = headline.answer.unwrap();
-    let words =
-        "**Only *velocity* keeps gaps and joints within 1 % of a body's thickness in mass ratio3";
+    let words = "**Use *velocity*: it keeps gaps and joints within 1 % of a body's thickness in mass ratio3";
     assert!(answer.starts_with(words), "{answer}");
     // Who begins with larger errors is not judged: to correct them changes the energy.
     for run in &mut comparison.runs {

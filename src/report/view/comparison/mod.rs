@@ -125,7 +125,7 @@ impl Plan {
         let mut steps: Vec<_> = scenes.iter().map(|own| readable(own.dt, 3)).collect();
         steps.dedup();
         let held = format!(
-            "gaps and joints within {}\u{a0}% of a body's thickness in {all} (dt = {} s)",
+            "gaps and joints within {} % of a body's thickness in {all} (dt = {} s)",
             readable(100.0 * HELD, 2),
             listed(&steps)
         );
@@ -137,18 +137,17 @@ impl Plan {
         let Some(best) = kept.iter().min_by(|a, b| energy(a).0.total_cmp(&energy(b).0)) else {
             return Some(format!("**No scheme keeps {held}.**"));
         };
-        let (error, scene) = energy(&best);
-        let mut says = format!(
-            "**Use {}.** {} of {} schemes keep {held}: {}. Of these {} has the smallest error of the energy, {} times its \
-             tolerance ({}).",
-            title(best),
-            kept.len(),
-            self.schemes.len(),
-            listed(&kept.iter().map(title).collect::<Vec<_>>()),
-            title(best),
-            readable(error, 2),
-            scene.replace('_', " ")
-        );
+        let mut says = format!("**Use {}: it keeps {held}.**", title(best));
+        let also: Vec<String> = kept.iter().filter(|own| *own != best).map(title).collect();
+        if !also.is_empty() {
+            let (error, scene) = energy(&best);
+            says += &format!(
+                " So do {}, but with larger errors of the energy; its own is {} times the tolerance ({}).",
+                listed(&also),
+                readable(error, 2),
+                scene.replace('_', " ")
+            );
+        }
         let others = findings.iter().filter(|own| !own.starts_within_tolerance());
         for own in others {
             let added = |scheme: &Scheme| own.best_run(*scheme).map(Run::energy_change);
