@@ -102,9 +102,9 @@ class Maker:
         return pages
 
     def live(self) -> list[Page]:
-        pages = []
+        pages, folder = [], self.kept("live", "live", "--all", "--out", "live")
         for name, about in LIVE.items():
-            file = self.kept(f"live/{name}.html", "live", name, "--out", "live")
+            file = folder / f"{name}.html"
             page = self.whole(file, f"learn/live/{name}.html", about, "")
             page.source = f"live/{name}.html"
             page.whole = landmarked(page.whole)

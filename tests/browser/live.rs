@@ -151,7 +151,7 @@ fn a_problem_is_solved_derived_judged_and_proved_on_its_page() {
         find('#prove').click(); const unique = find('#proof').textContent;
         find('#x').value = '[4, 3, 2]'; find('#x').dispatchEvent(new Event('change')); const rejected = find('#judge').textContent;
         set('#example', 'no solution'); find('#prove').click();
-        return [...first, unique, rejected, find('#says').textContent, find('#proof').textContent, all('#lines :is(pre, math)').length];";
+        return [...first, unique, rejected, find('#says').textContent, find('#proof').textContent, all('#lines :is(table, math)').length];";
     let found = page("problem").seen(1280, &format!("{READY}{script}"));
     let output = |k: usize| found[k].as_str().unwrap();
     assert_eq!(output(1), "[4,3,1]");
@@ -273,7 +273,7 @@ fn a_stack_sinks_under_ten_cold_sweeps_and_stands_under_pivoting() {
     let script = "const sunk = async (solver) => { set('#solver', solver); find('#motion').click();
             while (find('#motion').textContent === 'Stop') await wait(20);
             return Number(find('#says').textContent.match(/sunk (\\S+) cm/)[1].replace('−', '-')); };
-        set('#sweeps', 10);
+        set('#sweeps', 10); set('#warm', false);
         return [await sunk('pgs'), await sunk('dantzig')];";
     let found = page("stack").seen(1280, &format!("{READY}{script}"));
     assert!(found[0].as_f64().unwrap() > 1.0, "{found}");

@@ -1,4 +1,4 @@
-const USUAL = { mu: 1, theta: 63, omega: 0, dt: 0.01, step: 1 };
+const USUAL = { mu: 2, theta: 63, omega: 0, dt: 0.01, step: 1 };
 const SLIDERS = ["mu", "theta", "omega", "step"], MOST_MU = 3, SLIP = 1;
 const FRAMES = 400, STILL = 0.01; // slower is not visible
 const toMap = (mu, theta) => [40 + mu / MOST_MU * 370, 390 - theta / 90 * 370];
@@ -87,7 +87,7 @@ function drawSlip() {
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
   const again = speeds.findIndex((speed, k) => speed > STILL && speeds.indexOf(0, 1) > 0 && k > speeds.indexOf(0, 1)), landing = frames.findIndex(({ x }) => x[2] > 0);
   for (const [k, y, words] of [[again, zero - 8, "slides again"], [landing, top + 26, "upper end lands"]]) {
-    if (k > 0) chart += svg("text", { x: at(k)[0] - 6, y, "text-anchor": "end", class: "faint" }, words);
+    if (k > 0) chart += svg("text", { x: Math.max(at(k)[0] - 6, left + 112), y, "text-anchor": "end", class: "faint over" }, words);
   }
   const [cx, cy] = at(state.step);
   chart += svg("circle", { cx, cy, r: 5, class: "here" }) + svg("text", { x: right, y: 14, "text-anchor": "end" }, `sliding speed: ${short(speeds[state.step], 3)}`);

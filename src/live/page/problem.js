@@ -29,7 +29,8 @@ function setVerdict(text) {
   const table = document.createElement("table");
   for (const [, name, value, meaning] of measured.filter(Boolean)) {
     const row = table.insertRow();
-    for (const text of [name, value, meaning]) row.insertCell().textContent = text;
+    const typeset = value.replace(/e(-?\d+)$/, (_, power) => `×${ten(power)}`);
+    for (const text of [name, typeset, meaning]) row.insertCell().textContent = text;
   }
   const remarks = lines.filter((line, k) => !measured[k] && line.trim()).map((line) => paragraph(line.trim()));
   find("#judge").replaceChildren(paragraph(first.replace(/^verdict\s+/, "")), ...(table.rows.length ? [table] : []), ...remarks);
@@ -90,10 +91,19 @@ function drawSays() {
   find("#says").className = `says ${error || answer.verdict === "not_a_solution" ? "bad" : answer.verdict === "proved" ? "good" : "caution"}`;
 }
 
-// A paragraph wraps; tables, which are indented, do not.
+// A paragraph, or, of indented text, a table: its title, its head and its rows.
 function paragraph(text) {
-  const isProse = /^\n*\S/.test(text), textContent = isProse ? text.replace(/\s+/g, " ") : text;
-  return Object.assign(document.createElement(isProse ? "p" : "pre"), isProse ? { textContent } : { textContent, tabIndex: 0 });
+  if (/^\n*\S/.test(text)) return Object.assign(document.createElement("p"), { textContent: text.replace(/\s+/g, " ") });
+  const [title, ...lines] = text.replace(/^\n+/, "").trimEnd().split("\n").map((line) => [...line]);
+  const isBlank = (k) => lines.every((line) => (line[k] ?? " ") === " "), own = Object.assign(document.createElement("div"), { className: "wide", tabIndex: 0 });
+  // A column begins after two characters that are blank in every line.
+  const starts = [...Array(Math.max(0, ...lines.map(({ length }) => length))).keys()].filter((k) => !isBlank(k) && isBlank(k - 1) && isBlank(k - 2));
+  const rows = lines.map((line) => starts.map((start, c) => line.slice(start, starts[c + 1]).join("").trim()));
+  const isNumber = starts.map((_, c) => rows.slice(1).every((row) => /^[[\]\d.,−×∞⁰¹²³⁴-⁹⁻/←<% ]*$/.test(row[c])));
+  const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
+  const cells = rows.map((row, k) => svg("tr", {}, row.map((text, c) => svg(k === 0 ? "th" : "td", isNumber[c] ? {} : { class: "words" }, escaped(text))).join("")));
+  own.innerHTML = svg("table", {}, svg("caption", {}, escaped(title.join("").trim())) + cells.join(""));
+  return own;
 }
 // A formula whose matrices have brackets of several lines, as MathML. All of them cross the middle line.
 function typeset(text) {
@@ -109,7 +119,7 @@ function typeset(text) {
   let out = "", end = 0;
   for (const { 0: own, index } of middle.matchAll(/[[⎡⎢⎣][^\]⎤⎥⎦]*[\]⎤⎥⎦]/g)) {
     const rows = lines.filter((line) => "[⎡⎢⎣".includes(line[index] ?? " ")).map((line) => line.slice(index + 1, index + own.length - 1).trim().split(/ {2,}/));
-    if (rows.some((row) => row.length !== rows[0].length)) return paragraph(text);
+    if (rows.some((row) => row.length !== rows[0].length)) return Object.assign(document.createElement("pre"), { textContent: text, tabIndex: 0 });
     const cells = rows.map((row) => svg("mtr", {}, row.map((cell) => svg("mtd", {}, word(cell))).join("")));
     out += `${words(middle.slice(end, index))}${svg("mtable", {}, cells.join(""))}`;
     end = index + own.length;

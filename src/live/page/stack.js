@@ -1,4 +1,4 @@
-const USUAL = { masses: [1, 1, 1, 1, 1], solver: "pgs", omega: 1.3, sweeps: 10, backward: false, warm: false, at: 0 };
+const USUAL = { masses: [1, 1, 1, 1, 100], solver: "pgs", omega: 1.3, sweeps: 10, backward: false, warm: true, at: 0 };
 const SWEEPS = ["pgs", "jacobi", "sor"], DT = 0.01, SIZE = 0.2, MOST = 8, MIDDLE = 100;
 const OWN = { masses: list(MOST, 0.1, 1000), sweeps: integer(1, 60), at: count };
 
@@ -54,6 +54,7 @@ function drawStack() {
     picture += svg("text", { x: 250, y: y + 11, "text-anchor": "end", class: "faint" }, short(x[i], 3));
     picture += svg("text", { x: 262 + Math.max(long(x[i]), long(exact[i])), y: y + 11 }, short(exact[i], 3));
   });
+  if (sunk.at(-1) < -n * SIZE) picture += svg("text", { x: MIDDLE, y: ground - 16, "text-anchor": "middle", class: "faint" }, "↓ below the floor");
   const focus = document.activeElement?.id;
   find("#stack").innerHTML = picture;
   state.masses.forEach((mass, i) => {
@@ -66,20 +67,21 @@ function drawStack() {
 function drawPlot() {
   const step = moves[state.at].step, residuals = trace.steps.map(({ residual }) => number(residual)), last = Math.max(10, isSweep() ? 60 : trace.steps.length - 1);
   // As many decades as the residuals have, two to ten.
-  const decades = 2 * Math.min(5, Math.max(1, Math.ceil(-Math.log10(Math.max(Math.min(...residuals), 1e-12)) / 2 - 0.1)));
+  const decades = Math.min(10, Math.max(2, Math.ceil(-Math.log10(Math.max(Math.min(...residuals), 1e-12)))));
   const px = (k) => 46 + k / last * 360, py = (r) => 16 + Math.min(decades, Math.max(0, -Math.log10(Math.max(r, 1e-12)))) * 250 / decades;
   let picture = "";
-  for (let power = 0; power <= decades; power += 2) {
+  for (let power = 0; power <= decades; power += decades > 4 ? 2 : 1) {
     picture += svg("line", { x1: 46, x2: 406, y1: py(10 ** -power), y2: py(10 ** -power), class: "contour" });
     picture += svg("text", { x: 40, y: py(10 ** -power) + 4, "text-anchor": "end", class: "faint" }, power === 0 ? "1" : `10⁻${"⁰¹²³⁴⁵⁶⁷⁸⁹"[power] ?? "¹⁰"}`);
   }
+  picture += svg("text", { x: 406, y: 12, "text-anchor": "end" }, "scaled residual");
   for (const k of [0, last / 2, last]) picture += svg("text", { x: px(k), y: 292, "text-anchor": "middle", class: "faint" }, Math.round(k));
   picture += svg("text", { x: 406, y: 312, "text-anchor": "end" }, isSweep() ? "sweeps" : "pivots");
   if (typeof trace.rate === "number" && trace.rate > 0) {
     const anchor = residuals.findLastIndex((r) => r > 1e-10), level = residuals[anchor] / trace.rate ** anchor;
     picture += svg("polyline", { points: Array.from({ length: last + 1 }, (_, k) => `${px(k).toFixed(1)},${py(level * trace.rate ** k).toFixed(1)}`).join(" "), class: "w1", fill: "none" });
   }
-  residuals.forEach((r, k) => { picture += svg("circle", { cx: px(k), cy: py(r), r: k === step ? 6 : 3, class: k === step ? "here" : "dot" }); });
+  residuals.forEach((r, k) => { picture += svg("circle", { cx: px(k), cy: py(r), ...(k === step && !animation ? { r: 6, class: "here" } : { r: 3, class: "dot" }) }); });
   find("#plot").innerHTML = picture;
 }
 
@@ -89,7 +91,7 @@ function drawSays() {
   if (animation) {
     const { z, missing } = animation.frames[animation.at], mean = animation.frames.reduce((sum, frame) => sum + frame.missing, 0) / animation.frames.length;
     const way = isSweep() ? `${state.sweeps} sweeps per step${state.warm ? ", warm start" : ""}` : "pivoting";
-    says.push(`${((animation.at + 1) * DT).toFixed(2)} s, ${way}: the top box has sunk ${short(whole(-100 * z.at(-1)), 2)} cm; ${short(whole(100 * (animation.at === animation.frames.length - 1 ? mean : missing)), 2)}\u00a0% of the weight is unsupported${animation.at === animation.frames.length - 1 ? " on average" : ""}.`);
+    says.push(`${((animation.at + 1) * DT).toFixed(2)} s, ${way}: the top box has sunk ${short(whole(-100 * z.at(-1)), 2)} cm; ${short(Math.round(1000 * (animation.at === animation.frames.length - 1 ? mean : missing)) / 10 + 0, 2)}\u00a0% of the weight is unsupported${animation.at === animation.frames.length - 1 ? " on average" : ""}.`);
   } else {
     const { step, x } = moves[state.at], carried = x[0] / exact[0];
     says.push(`After ${step} ${isSweep() ? (step === 1 ? "sweep" : "sweeps") : (step === 1 ? "pivot" : "pivots")} the ground supports ${short(100 * carried, 3)}\u00a0% of the weight.`);
@@ -131,6 +133,7 @@ function play() {
   const { masses, solver, sweeps, backward, warm } = state;
   const answer = ask({ ask: "motion", masses, dt: DT, steps: 200, solver, omega: solver === "sor" ? state.omega : 1, sweeps: isSweep() ? sweeps : null, backward, warm });
   animation = { frames: answer.frames, at: 0 };
+  drawPlot();
   timer = setInterval(() => {
     animation.at = Math.min(animation.at + 2, animation.frames.length - 1);
     if (animation.at === animation.frames.length - 1) { clearInterval(timer); timer = undefined; }
@@ -155,8 +158,8 @@ opened.then((answering) => {
   find("#motion").addEventListener("click", play);
   follow(USUAL, OWN, () => {
     stop();
-    // Before the first sweep there is nothing to see.
-    if (Object.keys(USUAL).every((key) => String(state[key]) === String(USUAL[key]))) state.at = state.masses.length;
+    // Before the first sweep there is nothing to see; the usual state is that after the sweeps of a step.
+    if (Object.keys(USUAL).every((key) => String(state[key]) === String(USUAL[key]))) state.at = state.masses.length * state.sweeps;
     draw();
   });
 });
