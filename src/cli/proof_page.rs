@@ -8,9 +8,12 @@ use lcplab::number::{counted, readable};
 use lcplab::page::{self, Block, Cell, Page, Picture, Section, Table};
 use lcplab::plot::{Axis, Lines, Series};
 use lcplab::proof::{Claim, Entry, Kind, Proof, Reason, Tree, Vector};
+use serde_json::Value;
 
 /// Maximum number of rows of a table; the proof file has all of them.
 const SHOWN: usize = 24;
+/// Maximum number of rows whose names a caption lists.
+const NAMED: usize = 6;
 /// Longer fractions are shown as decimals.
 const LONGEST: usize = 14;
 /// Values of w agree up to this part of the largest one.
@@ -47,7 +50,7 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
             reasons,
         ));
     }
-    let (rows, sentence) = (problem.lcp.len(), proof.sentence());
+    let (rows, sentence) = (counted(problem.lcp.len(), "row"), proof.sentence());
     let meaning = match &proof.claim {
         Claim::NotUnique { x, y }
             if problem.lcp.matrix().is_symmetric()
@@ -73,11 +76,27 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
     Page {
         title: format!("{subject} {name}"),
         lead: format!(
-            "**Proved: {sentence}{limits}.**{meaning} The problem has {rows} rows.{stronger}"
+            "**Proved: {sentence}{limits}.**{meaning} The problem has {rows}{}.{stronger}",
+            contacts(problem)
         ),
         opening: opening.map(Block::Figure).into_iter().collect(),
         sections,
         ..Page::default()
+    }
+}
+
+/// The contact points of a problem whose rows are all those of two bodies, in words.
+fn contacts(problem: &Problem) -> String {
+    let own = || problem.extra.get("rows").and_then(|rows| rows.as_array()).into_iter().flatten();
+    let points = own().filter(|row| row["kind"] == "normal").count();
+    match own().next().map(|row| &row["bodies"]) {
+        Some(Value::Array(pair))
+            if points > 0 && own().all(|row| row["bodies"].as_array() == Some(pair)) =>
+        {
+            let names: Vec<&str> = pair.iter().filter_map(|name| name.as_str()).collect();
+            format!(", of {} between {}", counted(points, "contact point"), names.join(" and "))
+        }
+        _ => String::new(),
     }
 }
 
@@ -179,9 +198,14 @@ fn drawing(problem: &Problem, points: &[Vec<RBig>], shown: &[usize]) -> Picture 
         2 => "x, y: two exact solutions.".into(),
         _ => String::new(),
     };
-    let caption = caption + " Gray: from the lower to the upper limit, if both are finite.";
-    let names = (0..problem.lcp.len()).map(|i| label(problem, i)).collect();
-    let axes = (Axis { names, ..Axis::linear("row", "") }, Axis::linear(name, unit));
+    let names: Vec<String> = shown.iter().map(|&i| label(problem, i)).collect();
+    let names = match names.len() <= NAMED && names.iter().any(|name| name.contains(':')) {
+        true => format!(" Rows: {}.", names.join("; ")),
+        false => String::new(),
+    };
+    let caption =
+        caption + " Gray: from the lower to the upper limit, if both are finite." + &names;
+    let axes = (Axis::linear("row", ""), Axis::linear(name, unit));
     Picture::inline(&Lines::new("solutions", title, caption, axes.0, axes.1, series))
 }
 

@@ -24,8 +24,6 @@ pub struct Axis {
     pub scale: Scale,
     /// Whether a unit has the same length on this axis as on a linear x axis.
     pub is_to_scale: bool,
-    /// Names of the numbers 0, 1, 2, … of an x axis, if it has names.
-    pub names: Vec<String>,
 }
 
 /// The scale of an axis.
@@ -57,13 +55,7 @@ pub struct Tick {
 impl Axis {
     /// A linear axis.
     pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis {
-            label: label.into(),
-            unit: unit.into(),
-            scale: Scale::Linear,
-            is_to_scale: false,
-            names: Vec::new(),
-        }
+        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, is_to_scale: false }
     }
 
     /// A logarithmic axis.

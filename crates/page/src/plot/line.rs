@@ -27,9 +27,6 @@ pub(super) const MARGIN: f64 = 12.0;
 const TICK: f64 = 90.0;
 const CLOSE: f64 = 54.0;
 
-/// The gap between two named ticks in px.
-const BESIDE: f64 = 10.0;
-
 /// The distance from one panel to the next in px.
 const BETWEEN: f64 = 44.0;
 
@@ -106,8 +103,8 @@ impl Lines {
         self
     }
 
-    /// Ticks at the data, with the names of the axis if these have space (px per unit of position);
-    /// `None` if the ticks would be too close, or are not at whole numbers of a linear axis.
+    /// Ticks at the data, with this space (px per unit of position); `None` if they would be too
+    /// close, or are not at whole numbers of a linear axis.
     fn at_data(&self, space: f64) -> Option<Vec<Tick>> {
         let series = self.panels.iter().flat_map(|panel| &panel.series);
         let measured = series.filter(|series| series.look.is_measured());
@@ -120,15 +117,9 @@ impl Lines {
             Some(Tick { at: self.x.scale.position(at)?, label: readable(at, digits) })
                 .filter(|_| is_shown)
         };
-        let mut ticks: Vec<Tick> = data.into_iter().map(tick).collect::<Option<_>>()?;
+        let ticks: Vec<Tick> = data.into_iter().map(tick).collect::<Option<_>>()?;
         let gaps = ticks.windows(2).map(|pair| pair[1].at - pair[0].at);
         let least = space * gaps.fold(f64::INFINITY, f64::min);
-        let named = ticks.iter().map(|tick| self.x.names.get(tick.at as usize));
-        if let Some(names) = named.collect::<Option<Vec<_>>>()
-            && names.iter().all(|name| width(name, TEXT) + BESIDE < least)
-        {
-            ticks.iter_mut().zip(names).for_each(|(tick, name)| tick.label.clone_from(name));
-        }
         (ticks.len() > 1 && least >= CLOSE).then_some(ticks)
     }
 }
