@@ -11,6 +11,7 @@ use super::ink::tenth;
 use super::layout::Lens;
 use crate::number::readable;
 use crate::plot::canvas::hex;
+use crate::plot::style::TEXT;
 
 /// The head of an arrow in px: length and half of its width.
 const HEAD: (f64, f64) = (6.0, 2.4);
@@ -99,9 +100,21 @@ pub(super) fn tips<'a>(
 }
 
 /// The arrows of a frame in tenths of a px, with a background outline, and a dot at every contact.
-///
-/// An arrow that continues another one is drawn beside it.
 pub(super) fn markup(forces: &[Force], lens: &Lens, scale: f64) -> String {
+    let placed = placed(forces, lens, scale);
+    let of_origin = |origin: Origin| {
+        let (mut shafts, mut heads) = (String::new(), String::new());
+        for (_, tail, tip) in placed.iter().filter(|(force, ..)| force.origin == origin) {
+            add(&mut shafts, &mut heads, *tail, *tip, origin == Origin::Normal);
+        }
+        drawn(origin, &shafts, &heads)
+    };
+    Origin::ALL.map(of_origin).concat()
+}
+
+/// The tail and the tip of each arrow in the cell, in the order of origins; an arrow that continues
+/// another one is beside it.
+fn placed<'a>(forces: &'a [Force], lens: &Lens, scale: f64) -> Vec<(&'a Force, Place, Place)> {
     let place = |force: &Force| {
         let tail = lens.place(&force.point);
         (tail, lens.place(&(force.point + force.force * (scale / lens.scale))))
@@ -109,22 +122,62 @@ pub(super) fn markup(forces: &[Force], lens: &Lens, scale: f64) -> String {
     let is_drawn =
         |(tail, tip): &(Place, Place)| lens.holds(*tail) && tip.0.is_finite() && tip.1.is_finite();
     let mut in_line: Vec<(Place, Place)> = Vec::new();
-    let mut out = String::new();
+    let mut arrows = Vec::new();
     for origin in Origin::ALL {
-        let (mut shafts, mut heads) = (String::new(), String::new());
-        let own = forces.iter().filter(|force| force.origin == origin);
-        for arrow in own.map(place).filter(is_drawn) {
-            let (mut tail, mut tip) = arrow;
+        for force in forces.iter().filter(|force| force.origin == origin) {
+            let arrow = place(force);
+            let (tail, tip) = arrow;
+            if !is_drawn(&arrow) {
+                continue;
+            }
             if in_line.iter().any(|other| continues(*other, arrow)) {
                 let (dx, dy) = (tip.0 - tail.0, tip.1 - tail.1);
                 let (x, y) = (-dy * BESIDE / dx.hypot(dy), dx * BESIDE / dx.hypot(dy));
-                (tail, tip) = ((tail.0 + x, tail.1 + y), (tip.0 + x, tip.1 + y));
+                arrows.push((force, (tail.0 + x, tail.1 + y), (tip.0 + x, tip.1 + y)));
             } else {
                 in_line.push(arrow);
+                arrows.push((force, tail, tip));
             }
-            add(&mut shafts, &mut heads, tail, tip, origin == Origin::Normal);
         }
-        out += &drawn(origin, &shafts, &heads);
+    }
+    arrows
+}
+
+/// The sizes of the arrows, given the largest one for each origin: to the right of the body at a
+/// steep arrow's middle, above one that is not steep.
+pub(super) fn sizes(
+    forces: &[Force],
+    lens: &Lens,
+    scale: f64,
+    most: &[f64],
+    bodies: &[(usize, [f64; 4])],
+) -> String {
+    let mut out = String::new();
+    for (Force { force, origin, .. }, tail, tip) in placed(forces, lens, scale) {
+        let (dx, dy) = (tip.0 - tail.0, tip.1 - tail.1);
+        if dx.hypot(dy) < SHORTEST {
+            continue;
+        }
+        let (x, y) = (0.5 * (tail.0 + tip.0), 0.5 * (tail.1 + tip.1));
+        let holds = |[left, right, top, bottom]: &[f64; 4]| {
+            (*left..=*right).contains(&x) && (*top..=*bottom).contains(&y)
+        };
+        let edges = bodies.iter().map(|(_, edges)| edges).filter(|edges| holds(edges));
+        let (x, y, anchor) = match dx.abs() < dy.abs() {
+            true => (edges.fold(x, |x, edges| x.max(edges[1])) + 6.0, y + 5.0, "start"),
+            false => (x, y - 7.0, "middle"),
+        };
+        let _ = writeln!(
+            out,
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" font-size=\"{}\" fill=\"{}\" stroke=\"#ffffff\" \
+             stroke-width=\"35\" paint-order=\"stroke\">{} {}</text>",
+            tenth(x),
+            tenth(y),
+            10.0 * TEXT,
+            origin.color(),
+            readable(force.norm() * most[*origin as usize], 3),
+            origin.unit()
+        );
     }
     out
 }

@@ -4,8 +4,9 @@ use nalgebra::Vector3;
 
 use super::Frame;
 use super::joint::pins;
+use super::layout::Lens;
 use super::solid::Solid;
-use crate::body::{Mass, State};
+use crate::body::{Body, Mass, State};
 use crate::scene::Scene;
 
 /// A motion this many times larger than the scene at its start is cut off.
@@ -76,6 +77,27 @@ pub(super) fn shared(scene: &Scene, motions: &[Vec<Frame>]) -> Vec<Landmark> {
 /// The diagonal of the box around the landmarks (m); 1 m if they are a single point.
 pub(super) fn size(landmarks: &[Landmark]) -> f64 {
     Extent::of(landmarks).diagonal()
+}
+
+/// The moving bodies in a frame, and the left, right, top and bottom edge of each (px).
+pub(super) fn boxes(scene: &Scene, frame: &Frame, lens: &Lens) -> Vec<(usize, [f64; 4])> {
+    let bodies = scene.bodies.iter().zip(&frame.states).enumerate();
+    let moving = bodies.filter(|(_, (body, _))| body.mass != Mass::Fixed);
+    let edges = |(k, (body, state)): (usize, (&Body, &State))| {
+        let marks = marks(&Solid::of(k, body, &state.pose, 0.0));
+        let none = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
+        let grow = |[left, right, top, bottom]: [f64; 4], mark: Landmark| {
+            let ((x, y), radius) = (lens.place(&mark.point), mark.radius * lens.scale);
+            [
+                left.min(x - radius),
+                right.max(x + radius),
+                top.min(y - radius),
+                bottom.max(y + radius),
+            ]
+        };
+        (k, marks.into_iter().fold(none, grow))
+    };
+    moving.map(edges).collect()
 }
 
 fn solids(scene: &Scene, states: &[State], moving: bool) -> Vec<Solid> {

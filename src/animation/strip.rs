@@ -23,6 +23,9 @@ const LINE: f64 = 20.0;
 /// The minimum length of the scale bar as a fraction of a frame's width.
 const BAR: f64 = 0.3;
 
+/// A frame with more forces does not show their sizes.
+const FEW: usize = 6;
+
 /// The opacity of the earlier frames in a thumbnail.
 const FAINT: f64 = 0.3;
 
@@ -33,8 +36,8 @@ pub enum Arrows {
     Hidden,
     /// The forces of the frames, and the contact points.
     Shown,
-    /// What the frames have instead of forces: displacements in m, at the scale of the bodies.
-    Displacements,
+    /// The same with the sizes of the forces, if they are few, and the names of the bodies.
+    Labeled,
 }
 
 /// Several instants of a motion side by side, seen by one camera at one scale.
@@ -188,6 +191,30 @@ impl Strip {
         moving.map(name).collect()
     }
 
+    /// The names of the moving bodies, left of them; empty if these have no space there.
+    fn names_beside(&self, frame: &Frame, lens: &Lens) -> String {
+        let boxes = extent::boxes(&self.scene, frame, lens);
+        let mut out = String::new();
+        for (body, [left, _, top, bottom]) in &boxes {
+            let (name, right, middle) =
+                (&self.scene.bodies[*body].name, left - 6.0, 0.5 * (top + bottom));
+            let start = right - style::width(name, TEXT);
+            let covers = |(_, [l, r, t, b]): &(usize, [f64; 4])| {
+                start < *r && *l < right && middle - 8.0 < *b && *t < middle + 8.0
+            };
+            if start < 0.0 || boxes.iter().any(covers) {
+                return String::new();
+            }
+            out += &format!(
+                "<text x=\"{right:.1}\" y=\"{:.1}\" text-anchor=\"end\" font-size=\"{TEXT}\" fill=\"{}\">{}</text>\n",
+                middle + 5.0,
+                hex((INK.0, INK.1, INK.2)),
+                escape(name)
+            );
+        }
+        out
+    }
+
     fn description(&self, frames: &[Frame]) -> String {
         let (Some(first), Some(last)) = (frames.first(), frames.last()) else {
             return "no instants".into();
@@ -207,7 +234,7 @@ impl Strip {
         frame: &Frame,
         patches: &[Patch],
         lens: &Lens,
-        newton: Option<f64>,
+        arrows: Option<(f64, &[f64])>,
         grouped: bool,
     ) -> String {
         let mut ink = Ink::new(lens);
@@ -223,8 +250,12 @@ impl Strip {
         let order = depth::order(&lens.camera, &solids);
         let painted: Vec<_> = order.into_iter().map(|k| &solids[k]).collect();
         ink.solids(&self.scene.bodies, &frame.heat, &painted);
-        if let Some(newton) = newton {
+        if let Some((newton, most)) = arrows {
             ink.raw(&arrow::markup(&frame.forces, lens, newton));
+            if self.arrows == Arrows::Labeled && frame.forces.len() <= FEW {
+                let boxes = extent::boxes(&self.scene, frame, lens);
+                ink.raw(&arrow::sizes(&frame.forces, lens, newton, most, &boxes));
+            }
         }
         ink.marks(&joint::marks(&self.scene, frame));
         ink.finish()
@@ -241,7 +272,7 @@ impl Strip {
         let metres = round_step(BAR * lens.width / lens.scale);
         let bar = format!("{} m", readable(metres, 2));
         let mut scales = vec![(None, metres * lens.scale, bar)];
-        if let Some((newton, most)) = arrows.filter(|_| self.arrows == Arrows::Shown) {
+        if let Some((newton, most)) = arrows {
             let drawn = |force: &Force| force.force.norm() * newton >= arrow::SHORTEST;
             let forces = || frames.iter().flat_map(|frame| &frame.forces).filter(|own| drawn(own));
             let acts = |origin: &Origin| forces().any(|force| force.origin == *origin);
@@ -331,19 +362,15 @@ impl Figure for Strip {
         let lens = |window: &Window| Layout::new(window, width, count, widest).lens(camera, window);
         let first = lens(&window);
         let shown = self.arrows != Arrows::Hidden && most.iter().any(|most| *most > 0.0);
-        let newton = match self.arrows {
-            Arrows::Displacements => first.scale * most.iter().copied().fold(0.0, f64::max),
-            _ if shown => arrow::scale(1.0, &first),
-            _ => 0.0,
-        };
+        let newton = if shown { arrow::scale(1.0, &first) } else { 0.0 };
         // The picture contains the arrows.
         let window = window.containing(arrow::tips(all.iter(), 1.0, &first, newton));
         let layout = Layout::new(&window, width, count, widest);
         let lens = lens(&window);
         let newton = shown.then_some(newton * lens.scale / first.scale);
 
-        let scales =
-            self.scales(frames, &lens, newton.map(|newton| (newton, &most[..])), width - EDGE);
+        let arrows = newton.map(|newton| (newton, &most[..]));
+        let scales = self.scales(frames, &lens, arrows, width - EDGE);
         let top = TOP + LINE * scales.last().map_or(0, |scale| scale.at.1) as f64;
         let height = top + layout.total() + EDGE;
         let (mut canvas, lower) = Canvas::titled(width, height, &self.title);
@@ -356,10 +383,16 @@ impl Figure for Strip {
                 "<g class=\"instant\" transform=\"translate({x:.1} {y:.1}) scale(0.1)\" \
                  fill=\"none\" stroke=\"{}\" stroke-width=\"6\" stroke-linejoin=\"round\" \
                  stroke-linecap=\"round\">\n\
-                 <path stroke=\"{}\" d=\"M0 0h{w}v{h}h-{w}z\"/>\n{}</g>\n",
+                 <path stroke=\"{}\" d=\"M0 0h{w}v{h}h-{w}z\"/>\n{}</g>\n\
+                 <g transform=\"translate({x:.1} {y:.1})\">{}</g>\n",
                 hex((INK.0, INK.1, INK.2)),
                 hex((GRID.0, GRID.1, GRID.2)),
-                self.frame(frame, &patches, &lens, newton, false),
+                self.frame(frame, &patches, &lens, arrows, false),
+                if self.arrows == Arrows::Labeled {
+                    self.names_beside(frame, &lens)
+                } else {
+                    String::new()
+                },
                 w = tenth(lens.width),
                 h = tenth(lens.height),
             ));

@@ -4,7 +4,7 @@ use lcplab::simulation;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use lcplab::animation::{Frame, Strip};
+use lcplab::animation::{Arrows, Frame, Strip};
 use lcplab::document::{Block, Document};
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
@@ -137,8 +137,9 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
         Scheme::Acceleration => "The forces are those at the end of the step.",
         _ => "The forces are the impulses x of the step, divided by its length.",
     };
-    let strip = Strip { title, labels, ..Strip::new(&scene, frames) }.with_caption(caption);
-    Ok(Some(Picture::inline(&strip.with_forces())))
+    let arrows = Arrows::Labeled;
+    let strip = Strip { title, labels, arrows, ..Strip::new(&scene, frames) };
+    Ok(Some(Picture::inline(&strip.with_caption(caption))))
 }
 
 impl Explain {

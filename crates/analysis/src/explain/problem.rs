@@ -10,7 +10,7 @@ use lcplab_lcp::friction::{Model, ProblemForm};
 use lcplab_lcp::number::counted;
 use lcplab_lcp::{Lcp, Question, file};
 use lcplab_page::document::Document;
-use lcplab_solver::{Solution, solve_by_sequence};
+use lcplab_solver::{Registry, Solution, Status, solve_by_sequence};
 
 /// Explains how a problem is solved from x = 0 under its friction model. For polygons, their LCP is
 /// solved; for cones, the answer of a cone solver is shown, and the method is followed on the box
@@ -69,6 +69,19 @@ fn boxed(question: &Question, lcp: &Lcp, method: &Method, document: &mut Documen
     let frozen = frozen.map(|at| friction::frozen(&reading, &problem.lcp, at));
     let statement = statement::statement(lcp, &reading.units);
     let (answer, is_accepted) = answer::section(&reading, &solution, &method.demand());
+    let unit =
+        Registry::standard().entry(method.name()).map_or("iterations", |own| own.group.unit());
+    let how = match solution.status {
+        Status::Solved => "finds x in",
+        _ => "ends without a solution after",
+    };
+    document.lead = format!(
+        "{} {how} {}, and the judge {} the answer. {}",
+        method.name(),
+        counted(solution.iterations, unit.trim_end_matches('s')),
+        if is_accepted { "accepts" } else { "rejects" },
+        document.lead
+    );
     let proof = refutation::of(lcp, &solution);
     let proof = proof.map(|proof| refutation::section(&reading, Some(&proof)));
     for section in frozen.chain([statement, solving, answer]).chain(proof) {

@@ -84,9 +84,10 @@ pub fn steps(scene: &Scene, method: &Method, numbers: RangeInclusive<usize>) -> 
     }
     lead.retain(|words| !words.is_empty());
     lead.truncate(LISTED);
-    if document.is_accepted {
-        lead.push("The judge accepts every answer.".into());
-    }
+    lead.push(match document.is_accepted {
+        true => "The judge accepts every answer.".into(),
+        false => "The judge does not accept every answer.".into(),
+    });
     document.lead = lead.join(" ");
     Ok(document)
 }
@@ -143,7 +144,12 @@ fn found(place: &str, level: Scheme, solves: &[Solve]) -> String {
     };
     let (solver, level) = (&last.solver, level.name());
     let place = place.replace(',', ":");
-    capitalized(&format!("{place}{answers}. At {level} level {solver} {work}."))
+    let work = format!("t {level} level {solver} {work}.");
+    // Values of x that are no solution would mislead.
+    capitalized(&match is_solved {
+        true => format!("{place}{answers}. A{work}"),
+        false => format!("{place}a{work}"),
+    })
 }
 
 /// A slower rotation (rad/s) is rounding.
