@@ -21,7 +21,7 @@ const BODIES: [Rgb; 6] = [
 
 /// The colors for the lowest and the highest value, if color shows a quantity.
 const COOL: Rgb = (222, 225, 230);
-const HOT: Rgb = (204, 30, 20);
+const HOT: Rgb = (240, 128, 114);
 
 /// The color of a body for this value, from 0 to 1.
 pub(super) fn heated(heat: f64) -> Rgb {

@@ -3,9 +3,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::ReportPage;
-use crate::animation::{
-    Animation, Arrows, Force, Frame, Origin, Recording, Sample, Strip, instants,
-};
+use crate::animation::{Animation, Frame, Recording, Sample, Strip, instants};
 use crate::diagnosis::unsupported::{
     ErrorHistory, Examination, Frame as Problem, OVERLAP, ReferenceSolution, Slowest, UserSolver,
     error_histories, exact, main_solve, percent,
@@ -13,9 +11,10 @@ use crate::diagnosis::unsupported::{
 use crate::document;
 use crate::error::Result;
 use crate::plot::{Axis, Lines, Series};
-use crate::report::page::{Block, Page, Picture, markup};
+use crate::report::page::{Block, Page, Picture};
 use crate::scene::Scene;
 use crate::simulation::{Simulation, Step};
+use crate::solver::Registry;
 
 /// The displacement of the body that moves most in a mode, relative to the thinnest body.
 const SWING: f64 = 0.5;
@@ -37,7 +36,7 @@ pub(crate) fn diagnosis_page(
 ) -> Result<Page> {
     let page = Page {
         title: words.title.clone(),
-        lead: lead(&words.lead, &found.conclusion()),
+        lead: document::lead(&words.lead),
         facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
         ..Page::default()
     };
@@ -63,14 +62,6 @@ pub(crate) fn diagnosis_page(
         page.aside("One file for each worst step", problems.iter().map(link).collect::<String>());
     }
     Ok(page.page)
-}
-
-/// The lead, with its conclusion in bold.
-fn lead(lead: &str, conclusion: &str) -> String {
-    match lead.strip_prefix(conclusion).filter(|_| !conclusion.is_empty()) {
-        Some(rest) => format!("**{}**{}", markup::literal(conclusion), markup::literal(rest)),
-        None => markup::literal(lead),
-    }
 }
 
 /// The slowest mode and the errors by sweep of the examined frame, if its error is not negligible.
@@ -157,7 +148,7 @@ fn pattern(scene: &Scene, frame: &Problem, slowest: &Slowest, place: usize) -> R
     let speeds = frame.speeds(&slowest.forces);
     let fastest = speeds.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let swing = SWING * scene.thinnest().unwrap_or(1.0) / fastest;
-    let mut rest = Frame::now(&simulation).heated(vec![0.0; scene.bodies.len()]);
+    let rest = Frame::now(&simulation).heated(vec![0.0; scene.bodies.len()]);
     let mut moving = rest.clone();
     for (body, speed) in frame.bodies.iter().zip(&speeds) {
         let Some(k) = scene.bodies.iter().position(|one| one.name == body.name) else {
@@ -168,25 +159,18 @@ fn pattern(scene: &Scene, frame: &Problem, slowest: &Slowest, place: usize) -> R
             _ => Vector3::zeros(),
         };
         let pose = &mut moving.states[k].pose;
-        rest.forces.push(Force {
-            point: pose.p,
-            force: part(0) * swing,
-            origin: Origin::Constraint,
-        });
         pose.p += part(0) * swing;
         pose.q = UnitQuaternion::from_scaled_axis(part(3) * swing) * pose.q;
         moving.heat[k] = speed / fastest;
     }
-    let labels = ["arrows: displacements", "displaced bodies"];
+    let labels = ["the bodies in this step", "displaced as in the slowest error pattern"];
     let mut strip = Strip::new(scene, vec![rest, moving]).named("pattern").labelled(labels);
-    strip.arrows = Arrows::Displacements;
     strip.title = format!(
         "A sweep of Gauss-Seidel removes {} of the slowest error pattern",
         percent(1.0 - slowest.rate)
     );
     Ok(strip.with_caption(
-        "In the error pattern that decays most slowly the bodies move together, as the arrows and the second \
-         picture show (much enlarged). The redder a body, the more it moves.",
+        "Right: the error that decays most slowly, much enlarged. The redder a body, the more it moves.",
     ))
 }
 
@@ -207,11 +191,17 @@ fn convergence(error_histories: &[ErrorHistory]) -> Lines {
             );
         }
     }
+    // What the names stand for; those of relaxation factors say it themselves.
+    let methods = error_histories.iter().filter_map(|own| {
+        let entry = Registry::standard().entry(&own.name).ok()?;
+        Some(format!("{}: {}. ", entry.name, entry.method.trim_end_matches(", iterative")))
+    });
     Lines::new(
         "convergence",
         left(error_histories).unwrap_or_else(|| "Error after each sweep".into()),
-        "Cold start. The theory (pale) assumes a fixed active set and is not drawn where the active set \
-         would change.",
+        methods.collect::<String>()
+            + "All start from x = 0. The theory (pale) assumes a fixed active set and is not drawn where \
+               the active set would change.",
         Axis::linear("sweeps", ""),
         Axis::log("error", "%"),
         series,

@@ -292,7 +292,7 @@ fn where_color_says_how_much_a_body_is_red_from_gray_and_the_ground_stays() {
             |hex: &str, k: usize| f64::from(u8::from_str_radix(&hex[k..k + 2], 16).unwrap());
         filled.map(|hex| [0, 2, 4].map(|k| channel(hex, k))).collect()
     };
-    let is_red = |[r, g, b]: &[f64; 3]| *r > 3.0 * g.max(*b);
+    let is_red = |[r, g, b]: &[f64; 3]| *r > 1.7 * g.max(*b);
     let gray = |[r, g, b]: &[f64; 3]| r.max(*g).max(*b) - r.min(*g).min(*b) < 16.0;
     let (cool, hot) = (colors(vec![0.0, 0.0, 0.0]), colors(vec![1.0, 0.0, 1.0]));
     assert!(cool.len() == hot.len() && cool.iter().all(gray), "{cool:?}");

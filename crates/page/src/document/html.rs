@@ -17,7 +17,7 @@ pub(super) fn written(document: &Document) -> Result<String> {
     };
     let page = Page {
         title: document.title.clone(),
-        lead: typeset(&document.lead),
+        lead: lead(&document.lead),
         sections: document.sections.iter().enumerate().map(section).collect(),
         facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
         ..Page::default()
@@ -35,6 +35,23 @@ impl super::Block {
             super::Block::Table(own) => Block::Table(table(own)),
             super::Block::Figure(own) => Block::Figure(own.clone()),
         }
+    }
+}
+
+/// The lead as markup, with the finding, its first sentence, in bold if others follow.
+///
+/// ```
+/// use lcplab_page::document::lead;
+///
+/// assert_eq!(lead("It sinks by 2.5 m. It is 1 m high."), "**It sinks by 2.5 m.** It is 1 m high.");
+/// assert_eq!(lead("It sinks."), "It sinks.");
+/// ```
+pub fn lead(words: &str) -> String {
+    match words.split_once(". ") {
+        Some((finding, rest)) => {
+            format!("**{}** {}", typeset(&format!("{finding}.")), typeset(rest))
+        }
+        None => typeset(words),
     }
 }
 

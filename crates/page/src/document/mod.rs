@@ -12,6 +12,7 @@ mod show;
 pub(crate) mod text;
 mod unicode;
 
+pub use html::lead;
 pub use show::Show;
 pub use unicode::unicode;
 

@@ -229,33 +229,49 @@ impl Examination {
         }
     }
 
-    /// The first cause and the best remedy, in a sentence; empty if there is no cause.
+    /// The causes and the best remedy, in a sentence; empty if there is no cause.
     pub fn conclusion(&self) -> String {
         let causes = self.causes();
-        let Some(first) = causes.first() else { return String::new() };
-        let place = match causes.len() {
-            1 => "the cause".into(),
-            more => format!("the first of {more} causes"),
+        let is_plural = |name: &str| name.ends_with('s') && !name.ends_with("ss");
+        let noun = |name: &&str| match *name {
+            "feedback increases errors" => "feedback that increases errors".into(),
+            many if is_plural(many) => many.into(),
+            one => format!("the {one}{}", self.masses(one).unwrap_or_default()),
         };
-        let cause = match *first {
-            GAVE_UP | ENDED => capitalized(first),
-            "suspect the solver" => "The solver is suspect".into(),
-            "feedback increases errors" => format!("Feedback that increases errors is {place}"),
-            many if many.ends_with('s') && !many.ends_with("ss") => {
-                format!("{} are {place}", capitalized(many))
+        let nouns: Vec<String> = causes.iter().map(noun).collect();
+        let cause = match (&causes[..], &nouns[..]) {
+            ([first @ (GAVE_UP | ENDED), ..], _) => capitalized(first),
+            (["suspect the solver", ..], _) => "The solver is suspect".into(),
+            ([one], [noun]) => {
+                let verb = if is_plural(one) { "are" } else { "is" };
+                format!("{} {verb} the cause", capitalized(noun))
             }
-            one => format!("The {one}{} is {place}", self.masses(one).unwrap_or_default()),
+            (_, [nouns @ .., last]) => {
+                format!("The causes are {} and {last}", nouns.join(", "))
+            }
+            _ => return String::new(),
         };
         let remedy = self.unsupported.as_ref().and_then(UnsupportedLoad::remedy_in_words);
         format!("{cause}{}.", remedy.map_or(String::new(), |remedy| format!("; {remedy}")))
     }
 
-    /// The masses of this cause in words, if it is their ratio.
+    /// The masses of this cause in words, if it is their ratio: of up to four bodies all, otherwise
+    /// the largest and the least of the slowest pattern.
     fn masses(&self, cause: &str) -> Option<String> {
+        let mass = |mass: f64| readable(mass, DIGITS);
+        let bodies = self.frame.iter().flat_map(|frame| &frame.bodies);
+        let mut all: Vec<f64> = bodies.map(|body| body.mass).collect();
+        all.sort_by(f64::total_cmp);
         self.unsupported.as_ref()?.causes.iter().filter(|own| own.name() == cause).find_map(|own| {
             let Slow::MassRatio { heavy, light, .. } = own else { return None };
-            let [heavy, light] = [heavy.1, light.1].map(|mass| readable(mass, DIGITS));
-            Some(format!(" of {heavy} kg to {light} kg"))
+            Some(match &all[..] {
+                [first, middle @ .., last] if (1..=2).contains(&middle.len()) => {
+                    let first = [first].into_iter().chain(middle).map(|own| mass(*own));
+                    let first = first.collect::<Vec<_>>().join(", ");
+                    format!(" ({first} and {} kg)", mass(*last))
+                }
+                _ => format!(" of {} kg to {} kg", mass(heavy.1), mass(light.1)),
+            })
         })
     }
 

@@ -4,6 +4,7 @@ use lcplab_page::document::Section;
 use lcplab_page::number::{counted, readable};
 
 use lcplab_lcp::file::number;
+use lcplab_solver::{Group, Registry};
 use serde_json::{Value, json};
 
 use super::cause::Slow;
@@ -136,14 +137,17 @@ impl UnsupportedLoad {
         (!self.pairs.is_empty()).then_some(section)
     }
 
-    /// What the best remedy does, to end a sentence: "dantzig removes the error".
+    /// What the best remedy does, to end a sentence: "the direct method dantzig removes the error".
     pub(crate) fn remedy_in_words(&self) -> Option<String> {
         let best = self.best_remedy()?;
+        let entry = Registry::standard().entry(&best.what);
+        let is_direct = entry.is_ok_and(|entry| entry.group == Group::Pivoting);
+        let what = format!("{}{}", if is_direct { "the direct method " } else { "" }, best.what);
         let verb = if best.what.ends_with("sweeps") { "remove" } else { "removes" };
         Some(match best.missing <= HEALTHY {
-            true => format!("{} {verb} the error", best.what),
+            true => format!("{what} {verb} the error"),
             false => {
-                format!("with {} the error falls to {}", best.what, percent(best.missing))
+                format!("with {what} the error falls to {}", percent(best.missing))
             }
         })
     }
