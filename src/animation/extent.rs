@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::Frame;
-use super::joint::pins;
+use super::joint::{dot, pins};
 use super::layout::Lens;
 use super::solid::Solid;
 use crate::body::{Body, Mass, State};
@@ -83,8 +83,9 @@ pub(super) fn size(landmarks: &[Landmark]) -> f64 {
 pub(super) fn boxes(scene: &Scene, frame: &Frame, lens: &Lens) -> Vec<(usize, [f64; 4])> {
     let bodies = scene.bodies.iter().zip(&frame.states).enumerate();
     let moving = bodies.filter(|(_, (body, _))| body.mass != Mass::Fixed);
+    let dot = dot(scene, lens) / lens.scale;
     let edges = |(k, (body, state)): (usize, (&Body, &State))| {
-        let marks = marks(&Solid::of(k, body, &state.pose, 0.0));
+        let marks = marks(&Solid::of(k, body, &state.pose, dot));
         let none = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
         let grow = |[left, right, top, bottom]: [f64; 4], mark: Landmark| {
             let ((x, y), radius) = (lens.place(&mark.point), mark.radius * lens.scale);

@@ -99,11 +99,6 @@ impl Strip {
         Strip { caption: words.into(), ..self }
     }
 
-    /// The same with these texts above the frames.
-    pub(crate) fn labelled<const N: usize>(self, labels: [&str; N]) -> Self {
-        Strip { labels: labels.map(String::from).into(), ..self }
-    }
-
     /// The same with the forces drawn.
     ///
     /// ```
@@ -191,7 +186,7 @@ impl Strip {
         moving.map(name).collect()
     }
 
-    /// The names of the moving bodies, left of them; empty if these have no space there.
+    /// The names of several moving bodies, left of them; empty if these have no space there.
     fn names_beside(&self, frame: &Frame, lens: &Lens) -> String {
         let boxes = extent::boxes(&self.scene, frame, lens);
         let mut out = String::new();
@@ -202,7 +197,7 @@ impl Strip {
             let covers = |(_, [l, r, t, b]): &(usize, [f64; 4])| {
                 start < *r && *l < right && middle - 8.0 < *b && *t < middle + 8.0
             };
-            if start < 0.0 || boxes.iter().any(covers) {
+            if boxes.len() < 2 || start < 0.0 || boxes.iter().any(covers) {
                 return String::new();
             }
             out += &format!(

@@ -4,7 +4,7 @@ use lcplab::simulation;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use lcplab::animation::{Arrows, Frame, Strip};
+use lcplab::animation::{Arrows, Force, Frame, Strip};
 use lcplab::document::{Block, Document};
 use lcplab::error::{Error, Result};
 use lcplab::explain::{Method, problem, steps};
@@ -90,6 +90,9 @@ enum Level {
 /// Maximum number of instants in the picture of a motion.
 const FRAMES: usize = 6;
 
+/// Smaller forces, relative to the total weight, are rounding errors.
+const DUST: f64 = 1e-9;
+
 /// The bodies before the first of the steps and after each, with velocities, impulses and forces;
 /// `None` if no step can be taken.
 fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Option<Picture>> {
@@ -108,24 +111,30 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
         }
     }
     frames.truncate(FRAMES);
+    let mass: f64 =
+        scene.bodies.iter().map(|body| body.mass.mass()).filter(|m| m.is_finite()).sum();
+    let is_seen = |force: &Force| force.force.norm() > DUST * mass * scene.gravity.norm();
+    frames.iter_mut().for_each(|frame| frame.forces.retain(is_seen));
     if frames.len() < 2 {
         return Ok(None);
     }
-    let label = |frame: &Frame| match frame.largest().unwrap_or_default() {
-        impulses if impulses.ends_with("N s") => format!("impact: {impulses}"),
-        words => format!("{} s: {words}", readable(frame.time, 3)).trim_end_matches(": ").into(),
+    let is_impact = |frame: &Frame| frame.largest().is_some_and(|words| words.ends_with("N s"));
+    let label = |frame: &Frame| match is_impact(frame) {
+        true => "impact".into(),
+        false => format!("{} s", readable(frame.time, 3)),
     };
     let labels = frames.iter().map(label).collect();
     let largest: Vec<String> = frames[1..].iter().filter_map(Frame::largest).collect();
     let title = match largest.is_empty() {
-        true => "No contact or joint acts on the bodies".into(),
+        true if scene.constraints.is_empty() => "No contact acts on the bodies".into(),
+        true => "The bodies before and after the step".into(),
         false => {
             let actors = match scene.constraints.is_empty() {
                 true => "the contacts carry",
                 false => "the contacts and joints carry",
             };
             let (impulses, forces): (Vec<_>, Vec<_>) =
-                largest.into_iter().partition(|own| own.ends_with("N s"));
+                largest.iter().cloned().partition(|own| own.ends_with("N s"));
             let clause = |who: &str, all: Vec<String>| {
                 (!all.is_empty()).then(|| format!("{who} {}", all.join(", then ")))
             };
@@ -134,6 +143,7 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
         }
     };
     let caption = match scene.step.scheme {
+        _ if largest.is_empty() => "The velocities are those before the step. No forces are drawn.",
         Scheme::Acceleration => "The forces are those at the end of the step.",
         _ => "The forces are the impulses x of the step, divided by its length.",
     };

@@ -87,17 +87,25 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
 
 /// The contact points of a problem whose rows are all those of two bodies, in words.
 fn contacts(problem: &Problem) -> String {
-    let own = || problem.extra.get("rows").and_then(|rows| rows.as_array()).into_iter().flatten();
-    let points = own().filter(|row| row["kind"] == "normal").count();
-    match own().next().map(|row| &row["bodies"]) {
-        Some(Value::Array(pair))
-            if points > 0 && own().all(|row| row["bodies"].as_array() == Some(pair)) =>
-        {
-            let names: Vec<&str> = pair.iter().filter_map(|name| name.as_str()).collect();
+    let points = rows(problem).iter().filter(|row| row["kind"] == "normal").count();
+    match pair(problem) {
+        Some(pair) if points > 0 => {
+            let names: Vec<&str> = pair.iter().filter_map(Value::as_str).collect();
             format!(", of {} between {}", counted(points, "contact point"), names.join(" and "))
         }
         _ => String::new(),
     }
+}
+
+/// What the file says of each row; empty if it says nothing.
+fn rows(problem: &Problem) -> &[Value] {
+    problem.extra.get("rows").and_then(Value::as_array).map_or(&[], |rows| rows)
+}
+
+/// The two bodies of all rows, if they are the same for each.
+fn pair(problem: &Problem) -> Option<&Vec<Value>> {
+    let first = rows(problem).first()?["bodies"].as_array()?;
+    rows(problem).iter().all(|row| row["bodies"].as_array() == Some(first)).then_some(first)
 }
 
 /// Why the claim holds: a picture, and words and numbers.
@@ -198,13 +206,14 @@ fn drawing(problem: &Problem, points: &[Vec<RBig>], shown: &[usize]) -> Picture 
         2 => "x, y: two exact solutions.".into(),
         _ => String::new(),
     };
+    let mut caption = caption + " Gray: from the lower to the upper limit, if both are finite.";
     let names: Vec<String> = shown.iter().map(|&i| label(problem, i)).collect();
-    let names = match names.len() <= NAMED && names.iter().any(|name| name.contains(':')) {
-        true => format!(" Rows: {}.", names.join("; ")),
-        false => String::new(),
-    };
-    let caption =
-        caption + " Gray: from the lower to the upper limit, if both are finite." + &names;
+    if names.len() <= NAMED && names.iter().any(|name| name.contains(':')) {
+        caption += &format!(" Rows: {}.", names.join("; "));
+        if shown.iter().any(|i| problem.lcp.coupled_to(*i).is_some()) {
+            caption += " t1, t2: friction along two tangents.";
+        }
+    }
     let axes = (Axis::linear("row", ""), Axis::linear(name, unit));
     Picture::inline(&Lines::new("solutions", title, caption, axes.0, axes.1, series))
 }
@@ -252,7 +261,7 @@ fn points_table(problem: &Problem, points: &[Vec<RBig>], shown: &[usize]) -> Tab
         let limit = limit.map(|(k, mu)| Cell::text(decimal(&(exact(mu) * &points[0][k]), size)));
         [label].into_iter().chain(points.iter().flat_map(of)).chain(limit).collect()
     });
-    let note = if is_limited { "t1, t2: friction. limit: ±μ times the normal x. " } else { "" };
+    let note = if is_limited { "limit: ±μ times the normal x. " } else { "" };
     let title = match points.len() {
         1 => "The solution",
         _ if shown.len() < lcp.len() => "Two solutions, in the rows in which they differ",
@@ -272,11 +281,8 @@ fn vector_table(problem: &Problem, d: &[(usize, dashu_int::IBig)]) -> Table {
 
 /// The unit of x, if all rows have the same.
 fn unit(problem: &Problem) -> Option<&str> {
-    let rows = problem.extra.get("rows")?.as_array()?;
-    let first = rows.first()?.get("unit")?.as_str()?;
-    let is_common =
-        rows.iter().all(|row| row.get("unit").and_then(|own| own.as_str()) == Some(first));
-    is_common.then_some(first)
+    let first = rows(problem).first()?["unit"].as_str()?;
+    rows(problem).iter().all(|row| row["unit"] == first).then_some(first)
 }
 
 /// The unit of w for this unit of x.
@@ -302,33 +308,25 @@ fn more(rows: usize) -> String {
 /// The row's number, and its label if the file has one; of a contact's row, the point and the
 /// direction if all rows are those of one pair of bodies.
 fn label(problem: &Problem, i: usize) -> String {
-    let labels = || {
-        let rows = problem.extra.get("rows").and_then(|rows| rows.as_array()).into_iter().flatten();
-        rows.filter_map(|row| row.get("label")?.as_str())
+    let Some(own) = rows(problem).get(i).and_then(|row| row["label"].as_str()) else {
+        return i.to_string();
     };
-    let Some(own) = labels().nth(i) else { return i.to_string() };
-    let pairs: Option<Vec<&str>> = labels().map(|label| Some(contact(label)?.0)).collect();
-    let is_one_pair = pairs.is_some_and(|pairs| pairs.iter().all(|pair| *pair == pairs[0]));
-    match contact(own).filter(|_| is_one_pair) {
-        Some((_, row)) => format!("{i}: {row}"),
+    match contact(own).filter(|_| pair(problem).is_some()) {
+        Some(row) => format!("{i}: {row}"),
         None => format!("{i}: {own}"),
     }
 }
 
-/// The bodies of a contact's row, and its point and direction: of `friction slope box 2 at face 0
-/// on vertex 1` these are `slope box` and `vertex 1, t2`.
-fn contact(label: &str) -> Option<(&str, String)> {
+/// The point and the direction of a contact's row: of `friction slope box 2 at face 0 on vertex 1`
+/// `vertex 1, t2`.
+fn contact(label: &str) -> Option<String> {
     let (front, features) = label.split_once(" at ")?;
     let (_, point) = features.split_once(" on ")?;
     let (front, component) = front.rsplit_once(' ')?;
-    let (kind, bodies) = front.split_once(' ')?;
-    Some((
-        bodies,
-        match kind {
-            "normal" => format!("{point}, normal"),
-            _ => format!("{point}, t{component}"),
-        },
-    ))
+    Some(match front.starts_with("normal ") {
+        true => format!("{point}, normal"),
+        false => format!("{point}, t{component}"),
+    })
 }
 
 /// The entries of x; a bound of a friction row depends on its normal row.

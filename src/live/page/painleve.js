@@ -86,11 +86,15 @@ function drawSlip() {
   chart += svg("text", { x: left + 0.875 * (right - left), y: zero + 20, "text-anchor": "middle" }, "time");
   chart += svg("polyline", { points: frames.map((_, k) => at(k).map((v) => v.toFixed(1)).join(",")).join(" "), class: "path" });
   const again = speeds.findIndex((speed, k) => speed > STILL && speeds.indexOf(0, 1) > 0 && k > speeds.indexOf(0, 1)), landing = frames.findIndex(({ x }) => x[2] > 0);
-  for (const [k, y, words] of [[again, zero - 8, "slides again"], [landing, top + 26, "upper end lands"]]) {
-    if (k > 0) chart += svg("text", { x: Math.max(at(k)[0] - 6, left + 112), y, "text-anchor": "end", class: "faint over" }, words);
+  // Before it slides again the curve is 0; above the curve there is space for the other label.
+  if (again > 0) chart += svg("text", { x: at(again)[0] - 6, y: zero - 8, "text-anchor": "end", class: "faint" }, "slides again");
+  if (landing > 0) {
+    const x = at(landing)[0];
+    chart += svg("line", { x1: x, x2: x, y1: 18, y2: zero, class: "contour" });
+    chart += svg("text", { x: Math.max(left + 200, Math.min(right - 50, x)), y: 14, "text-anchor": "middle", class: "faint" }, "upper end lands");
   }
   const [cx, cy] = at(state.step);
-  chart += svg("circle", { cx, cy, r: 5, class: "here" }) + svg("text", { x: right, y: 14, "text-anchor": "end" }, `sliding speed: ${short(speeds[state.step], 3)}`);
+  chart += svg("circle", { cx, cy, r: 5, class: "here" }) + svg("text", { x: left, y: 14 }, `sliding speed: ${short(speeds[state.step], 3)}`);
   find("#slip").innerHTML = chart;
 }
 

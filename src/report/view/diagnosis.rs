@@ -163,14 +163,14 @@ fn pattern(scene: &Scene, frame: &Problem, slowest: &Slowest, place: usize) -> R
         pose.q = UnitQuaternion::from_scaled_axis(part(3) * swing) * pose.q;
         moving.heat[k] = speed / fastest;
     }
-    let labels = ["the bodies in this step", "displaced as in the slowest error pattern"];
-    let mut strip = Strip::new(scene, vec![rest, moving]).named("pattern").labelled(labels);
+    let mut strip = Strip::new(scene, vec![rest, moving]).named("pattern");
+    strip.labels = ["the bodies in this step", "the error, much enlarged"].map(String::from).into();
     strip.title = format!(
         "A sweep of Gauss-Seidel removes {} of the slowest error pattern",
         percent(1.0 - slowest.rate)
     );
     Ok(strip.with_caption(
-        "Right: the error that decays most slowly, much enlarged. The redder a body, the more it moves.",
+        "This error of the positions decays most slowly. The redder a body, the more it moves.",
     ))
 }
 

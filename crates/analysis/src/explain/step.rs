@@ -121,10 +121,14 @@ fn found(place: &str, level: Scheme, solves: &[Solve]) -> String {
             Stage::Acceleration => (format!("{actors} carry"), "forces"),
             Stage::Position => ("the position correction takes".into(), "multipliers"),
         };
-        let values = if let [x] = x[..] { plain(x) } else { vector(x) };
-        let values = with_unit(&values, &Units::of(&own.problem).of_x());
+        let unit = Units::of(&own.problem).of_x();
+        let most = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let values = with_unit(&if let [x] = x[..] { plain(x) } else { vector(x) }, &unit);
         match x.len() {
-            rows if rows > SHORT => format!("{does} {rows} {what}"),
+            rows if rows > SHORT => {
+                let most = with_unit(&readable(most, 3), &unit);
+                format!("{does} {rows} {what} of at most {most}")
+            }
             rows if rows > UNBROKEN => format!("{does} {values}"),
             _ => format!("{does} {}", values.replace(' ', "\u{a0}")),
         }
