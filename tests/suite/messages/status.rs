@@ -39,7 +39,7 @@ fn every_status_is_claimed_by_a_solver_and_put_into_words() {
     let indefinite = boxed(&[&[1.0, 1e4], &[1e4, 1.0]], &[1.0; 2], &[-INF; 2], &[INF; 2]);
     let beyond = boxed(&[&[1e-300]], &[-1e300], &[0.0], &[INF]); // x = 10⁶⁰⁰
     let flat = contacts(&[&[1.0, 0.0], &[0.0, 0.0]], &[-1.0; 2]);
-    let dependent = contacts(&[&[1.0, 1.0], &[2.0, 2.0]], &[-1.0, -3.0]);
+    let dependent = contacts(&[&[1.0, 1.0], &[2.0, 2.0]], &[-1.0, -2.1]);
     let torn = boxed(&[&[0.0]], &[-1.0], &[0.0], &[INF]); // w = −1 whatever x is
     let negative = boxed(&[&[-1.0]], &[-1.0], &[0.0], &[INF]); // w = −x − 1 < 0 for x ≥ 0
     let skew = contacts(&[&[1.0, 1.0], &[-1.0, 1.0]], &[-1.0; 2]);

@@ -15,9 +15,6 @@ use crate::tolerances::RESIDUAL_ROUNDING;
 use crate::{Settings, Start, Status};
 use lcplab_lcp::{Lcp, merit};
 
-/// Number of sweeps that choose the first active set.
-const SWEEPS: usize = 3;
-
 /// The side of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Side {
@@ -46,12 +43,11 @@ impl ActiveSet {
         ActiveSet((0..lcp.len()).map(side).collect())
     }
 
-    /// The active set after a few sweeps of projected Gauss-Seidel from x = 0. The signs of b alone
-    /// only show where the load enters; each sweep passes it on from contact to contact. `None` if a
-    /// diagonal entry is not positive.
-    pub(crate) fn after_sweeps(lcp: &Lcp) -> Option<Self> {
+    /// The active set after these sweeps of projected Gauss-Seidel from x = 0; `None` if a diagonal
+    /// entry is not positive.
+    pub(crate) fn after_sweeps(lcp: &Lcp, sweeps: usize) -> Option<Self> {
         let mut x = Start::default().point(lcp);
-        for _ in 0..SWEEPS {
+        for _ in 0..sweeps {
             for i in 0..x.len() {
                 let a_ii = Some(lcp.matrix().diagonal(i)).filter(|a_ii| *a_ii > 0.0)?;
                 x[i] = lcp.project(i, x[i] - lcp.row_w(i, &x) / a_ii, &x);

@@ -1,7 +1,7 @@
 //! Block principal pivoting: all wrong rows change sides at once, with Murty's rule as a safeguard.
 //!
 //! ```text
-//! start    the active set of a guess, or of a few Gauss-Seidel sweeps from 0
+//! start    the active set of a guess, or of a few Gauss-Seidel sweeps from x = 0
 //! repeat   x ← the point of the active set
 //!          H ← the rows that are not satisfied
 //!          |H| is the least so far:    all of H change sides; `patience` is full again
@@ -35,6 +35,10 @@ use lcplab_lcp::Lcp;
 /// Block principal pivoting with Júdice and Pires' safeguard.
 #[derive(Debug, Clone)]
 pub struct BlockPivoting {
+    /// Number of Gauss-Seidel sweeps from x = 0 that choose the first active set if there is no
+    /// guess. The signs of b only show where the load enters; each sweep passes it on from contact
+    /// to contact.
+    pub sweeps: usize,
     /// Number of block exchanges without a new least |H| before the safeguard takes over.
     pub patience: usize,
     /// The common settings; an iteration is an exchange, of a block or of one row.
@@ -43,7 +47,7 @@ pub struct BlockPivoting {
 
 impl Default for BlockPivoting {
     fn default() -> Self {
-        BlockPivoting { patience: 10, settings: Settings::default() }
+        BlockPivoting { sweeps: 3, patience: 10, settings: Settings::default() }
     }
 }
 
@@ -61,7 +65,7 @@ impl Solver for BlockPivoting {
         start.with_cache(|left| {
             let needs = FreeRows::memory(lcp);
             if start.x.is_none() && left.set.is_none() {
-                left.set = ActiveSet::after_sweeps(lcp);
+                left.set = ActiveSet::after_sweeps(lcp, self.sweeps);
             }
             principal::solve(
                 lcp,

@@ -160,10 +160,8 @@ impl<'a> Search<'a> {
 
     /// The last point; before the first, that of the start.
     pub(crate) fn last(&self, lcp: &Lcp) -> Cow<'_, Point> {
-        match &self.point {
-            Some(point) => Cow::Borrowed(point),
-            None => Cow::Owned(Point::at(lcp, self.start.clone())),
-        }
+        let at_start = || Cow::Owned(Point::at(lcp, self.start.clone()));
+        self.point.as_ref().map_or_else(at_start, Cow::Borrowed)
     }
 
     /// The status for the last point.

@@ -81,7 +81,7 @@ impl Rho {
     }
 }
 
-/// Solves a problem with symmetric A by proximal steps, from the start and active set of the search.
+/// Solves a problem with symmetric A by proximal steps from the start and set of the search.
 pub(crate) fn solve(lcp: &Lcp, search: &mut Search<'_>) -> Solution {
     search.fallback = Some(Fallback::Proximal);
     let mut steps = Steps { lcp, rho: Rho::least(), soft: None };
