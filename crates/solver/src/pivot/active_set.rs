@@ -47,10 +47,12 @@ impl ActiveSet {
     /// entry is not positive.
     pub(crate) fn after_sweeps(lcp: &Lcp, sweeps: usize) -> Option<Self> {
         let mut x = Start::default().point(lcp);
+        let positive = |i| Some(lcp.matrix().diagonal(i)).filter(|a_ii| *a_ii > 0.0);
+        let inverse: Option<Vec<f64>> = (0..x.len()).map(|i| positive(i).map(f64::recip)).collect();
+        let inverse = inverse?;
         for _ in 0..sweeps {
             for i in 0..x.len() {
-                let a_ii = Some(lcp.matrix().diagonal(i)).filter(|a_ii| *a_ii > 0.0)?;
-                x[i] = lcp.project(i, x[i] - lcp.row_w(i, &x) / a_ii, &x);
+                x[i] = lcp.project(i, x[i] - lcp.row_w(i, &x) * inverse[i], &x);
             }
         }
         Some(ActiveSet::initial(lcp, &Start::at(&x), &x))

@@ -169,9 +169,10 @@ impl<'a> Search<'a> {
         self.last(lcp).claim(lcp, self.settings.tolerance)
     }
 
-    /// The last point as a solution.
-    pub(crate) fn solution(&self, lcp: &Lcp, status: Status) -> Solution {
-        self.last(lcp).into_owned().solution(status, self.count).with_fallback(self.fallback)
+    /// The last point as a solution; ends the search.
+    pub(crate) fn solution(&mut self, lcp: &Lcp, status: Status) -> Solution {
+        let point = self.point.take().unwrap_or_else(|| Point::at(lcp, self.start.clone()));
+        point.solution(status, self.count).with_fallback(self.fallback)
     }
 }
 
