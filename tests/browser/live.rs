@@ -235,7 +235,7 @@ fn the_address_keeps_what_a_page_shows() {
 #[test]
 fn gauss_seidel_takes_the_steps_of_the_lesson_and_goes_back() {
     // Figure of lesson 1: x = (½, ¾) after a sweep of A = [2 −1; −1 2], b = (−1, −1).
-    let script = "set('#b1', -1); find('#next').click();
+    let script = "set('#b1', -1); find('#first').click(); find('#next').click();
         const after = find('#words').textContent; find('#back').click();
         return [after.includes('x = (0.5, 0.75)'), find('#words').textContent.startsWith('start'), find('#back').disabled];";
     let found = page("two_rows").seen(390, &format!("{READY}{script}"));
@@ -265,7 +265,7 @@ fn points_are_moved_by_keys() {
     let script = "const before = location.hash; find('#start').focus(); press(find('#start'), 'ArrowRight'); press(find('#start'), 'ArrowUp'); await wait(400);
         return [before, location.hash, document.activeElement.id];";
     let found = page("two_rows").seen(1280, &format!("{READY}{script}"));
-    assert_eq!(found, json!(["", "#x0=0.1&x1=0.1", "start"]));
+    assert_eq!(found, json!(["", "#x0=0.1&x1=0.1&step=4", "start"]));
 }
 
 #[test]

@@ -54,16 +54,16 @@ function drawBoxes(boxes, to, scale) {
     if (Math.max(r1, r2) * scale > 1e4) return svg("rect", { x: -10, y: -10, width: 440, height: 440, class: name });
     return svg("rect", { x: cx - size(r1), y: cy - size(r2), width: 2 * size(r1), height: 2 * size(r2), class: name });
   };
-  return boxes.map((box, k) => (k === 0 ? "" : rect(box, !found.reason ? "cone in" : isInside() ? "two" : "none")) + rect(box, `figure ${k === 0 ? "polygon" : found.reason ? "contour" : "disk"}`)).join("");
+  return boxes.map((box, k) => (k === 0 ? "" : rect(box, !found.reason ? "cone in" : isInside() ? "two" : "none")) + rect(box, `figure ${k === 0 ? "polygon" : found.reason ? "contour" : "box"}`)).join("");
 }
 
 function drawPlane() {
   const to = ([x, y]) => [210 + SCALE * x, 210 - SCALE * y], from = (px, py) => [(px - 210) / SCALE, (210 - py) / SCALE];
   const [wx, wy] = to(push()), [cx, cy] = to(found.x.slice(1)), r = Math.max(0, state.mu * found.solution[0]) * SCALE;
-  let picture = svg("circle", { cx: 210, cy: 210, r, class: "allowed" }) + svg("circle", { cx: 210, cy: 210, r, class: "figure box" });
+  let picture = svg("circle", { cx: 210, cy: 210, r, class: "allowed" }) + svg("circle", { cx: 210, cy: 210, r, class: "figure disk" });
   picture += svg("line", { x1: 0, x2: 420, y1: 210, y2: 210, class: "axis" }) + svg("line", { x1: 210, x2: 210, y1: 0, y2: 420, class: "axis" });
   picture += svg("text", { x: 414, y: 204, "text-anchor": "end" }, "xₜ₁ (N s)") + svg("text", { x: 216, y: 14 }, "xₜ₂ (N s)");
-  picture += svg("line", { x1: 210, y1: 210, x2: wx, y2: wy, class: "push slip" }) + svg("circle", { cx: wx, cy: wy, r: 11, class: "handle", id: "push" }, "<title>push</title>");
+  picture += svg("line", { x1: 210, y1: 210, x2: wx, y2: wy, class: "push slip" }) + svg("circle", { cx: wx, cy: wy, r: 11, class: "handle", id: "push" }, "<title>holding impulse</title>");
   picture += drawBoxes(found.boxes.slice(0, 2), to, SCALE) + svg("circle", { cx, cy, r: 4, class: "dot" });
   picture += svg("circle", { cx, cy, r: 7, fill: "none", "pointer-events": "all", style: "cursor: grab", id: "start" }, "<title>x</title>");
   const focus = document.activeElement?.id;
@@ -91,12 +91,12 @@ function drawClose() {
   });
   if (round >= 500) corners.push(point(edge - 2000, 900), point(edge - 2000, -900));
   const points = corners.map((p) => p.map((v) => clamp(v, -1e5, 1e5).toFixed(1)).join(",")).join(" ");
-  let picture = round > 0 ? svg("polygon", { points, class: "allowed" }) + svg("polygon", { points, class: "figure box" }) : "";
+  let picture = round > 0 ? svg("polygon", { points, class: "allowed" }) + svg("polygon", { points, class: "figure disk" }) : "";
   picture += drawBoxes(found.boxes, to, scale) + svg("circle", { cx: 210, cy: 210, r: 4, class: "dot" }) + svg("text", { x: 202, y: 224, "text-anchor": "end" }, "x");
   const [sx, sy] = to(found.solution.slice(1));
   picture += svg("circle", { cx: clamp(sx, -99, 999), cy: clamp(sy, -99, 999), r: 6, class: "solution" });
   if (found.boxes.length > 0 && found.state !== "open") {
-    picture += svg("text", { x: 210 - reach + 4, y: 210 + reach + 16 }, `X = x ± ${short(10 ** state.width, 2)} N s`);
+    picture += svg("text", { x: 210 - reach + 4, y: 210 + reach + 16 }, `X = x ± ${short(10 ** state.width, 3)} N s`);
     const [kx, ky] = to(found.boxes[1].center.slice(1)), [w, h] = found.boxes[1].radius.slice(1).map((r) => r * scale);
     picture += svg("text", { x: clamp(kx - Math.min(w, 999) + 4, 8, 360), y: clamp(ky + Math.min(h, 999) + (h > 20 ? -6 : 16), 20, 412) }, "K(X)");
   }
@@ -115,7 +115,7 @@ function drawWidths() {
   picture += svg("polyline", { points: boxes.map((box, k) => `${x(k).toFixed(1)},${y(widest(box)).toFixed(1)}`).join(" "), class: "path" });
   if (boxes.some((box) => widest(box) === 0)) picture += svg("text", { x: left - 8, y: y(0) + 5, "text-anchor": "end", class: "faint" }, "0");
   boxes.forEach((box, k) => {
-    picture += svg("circle", { cx: x(k), cy: y(widest(box)), r: 5, class: found.reason ? "here" : k === 0 ? "answer polygon" : "answer disk" });
+    picture += svg("circle", { cx: x(k), cy: y(widest(box)), r: 5, class: found.reason ? "here" : k === 0 ? "answer polygon" : "answer box" });
     picture += svg("text", { x: x(k), y: 408, "text-anchor": "middle", class: "faint" }, ["X", "K(X)", "K²", "K³", "K⁴", "K⁵", "K⁶", "K⁷"][k]);
   });
   picture += svg("text", { x: left + 4, y: 14, class: "faint" }, "N s");
@@ -141,7 +141,7 @@ function draw() {
   const said = verdict();
   drawWords(said);
   find("#says").className = `says ${said[0]}`;
-  for (const id of SLIDERS) { const slider = find(`#${id}`); slider.value = state[id]; slider.nextElementSibling.textContent = short(LOGARITHMIC.includes(id) ? 10 ** state[id] : state[id], 2) + UNITS[id]; }
+  for (const id of SLIDERS) { const slider = find(`#${id}`); slider.value = state[id]; slider.nextElementSibling.textContent = short(LOGARITHMIC.includes(id) ? 10 ** state[id] : state[id], 3) + UNITS[id]; }
   keep(state, USUAL);
 }
 

@@ -61,7 +61,7 @@ function drawFloor() {
     const [cx, cy] = to(ends[i]);
     picture += svg("circle", { cx, cy, r: 5, class: `answer ${CLASSES[i]}` });
   });
-  picture += svg("text", { x: 404, y: oy - 6 }, "x") + svg("text", { x: ox + 6, y: 14 }, "y");
+  picture += svg("text", { x: 404, y: oy - 6 }, "t₁") + svg("text", { x: ox + 6, y: 14 }, "t₂");
   const bar = [1, 2, 5].map((digit) => digit * 10 ** Math.floor(Math.log10(most / 2))).findLast((length) => length <= most / 2);
   // The scale, away from the axis.
   const span = bar / most * 200, start = ox < 210 ? 410 - span : 10;
@@ -71,9 +71,9 @@ function drawFloor() {
 
 function drawWords() {
   const signed = (v) => short(Math.abs(v) < 1e-9 ? 0 : v, 3), row = (cells, kind) => svg("tr", {}, cells.map((cell) => svg(kind, {}, cell)).join(""));
-  let rows = row(["model", "x (N s)", "|xₜ| / μ xₙ", "motion"], "th");
+  let rows = row(["model", "x = (xₙ, xₜ₁, xₜ₂) (N s)", "|xₜ| / μ xₙ", "motion"], "th");
   for (const { model, x, w } of answers) {
-    const slips = Math.hypot(w[1], w[2]) > 1e-6, rub = Math.hypot(x[1], x[2]) / (state.mu * state.press || 1);
+    const slips = Math.hypot(w[1], w[2]) > 1e-6, rub = Math.hypot(x[1], x[2]) / (state.mu * x[0] || 1);
     const motion = `${slips ? `slips at ${signed(Math.hypot(w[1], w[2]))} m/s` : "sticks"}${Math.abs(w[0]) > 1e-6 ? `, lifts off at ${signed(w[0])} m/s` : ""}`;
     rows += row([model, `(${x.map(signed).join(", ")})`, signed(rub), motion], "td");
   }

@@ -4,6 +4,7 @@ const FRAMES = 400, STILL = 0.01; // slower is not visible
 const toMap = (mu, theta) => [40 + mu / MOST_MU * 370, 390 - theta / 90 * 370];
 const fromMap = (px, py) => [(px - 40) / 370 * MOST_MU, (390 - py) / 370 * 90];
 const radians = (degrees) => degrees * Math.PI / 180;
+const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
 const critical = (theta) => (4 + Math.tan(radians(theta)) ** 2) / (3 * Math.tan(radians(theta)));
 
 let state = USUAL, ask, rod, frames, timer;
@@ -38,11 +39,10 @@ function drawMap() {
   for (const theta of [30, 60, 90]) picture += svg("text", { x: 10, y: toMap(0, theta)[1] + 5, class: "faint" }, `${theta}°`);
   picture += svg("text", { x: right - 6, y: bottom - 8, "text-anchor": "end" }, "friction μ") + svg("text", { x: left + 6, y: top + 16 }, "angle θ");
   const [cx, cy] = toMap(state.mu, state.theta);
-  picture += svg("circle", { cx, cy, r: 9, class: "handle", id: "here" });
+  picture += svg("circle", { cx, cy, r: 9, class: "handle", id: "here" }) + svg("text", { x: clamp(cx, 100, 350), y: cy - 16, "text-anchor": "middle" }, `μ = ${short(state.mu)}, θ = ${short(state.theta)}°`);
   const focus = document.activeElement?.id;
   find("#map").innerHTML = picture;
-  const within = (value, low, high) => Math.max(low, Math.min(high, value));
-  const to = (mu, theta) => change({ mu: Math.round(20 * within(mu, 0, MOST_MU)) / 20, theta: Math.round(within(theta, 5, 85)), step: USUAL.step });
+  const to = (mu, theta) => change({ mu: Math.round(20 * clamp(mu, 0, MOST_MU)) / 20, theta: Math.round(clamp(theta, 5, 85)), step: USUAL.step });
   draggable(find("#here"), find("#map"), (px, py) => to(...fromMap(px, py)), (dx, dy) => to(state.mu + 0.05 * dx, state.theta - dy));
   if (focus === "here") find("#here").focus();
 }
@@ -55,15 +55,15 @@ function drawRod() {
   picture += svg("line", { x1: low[0], y1: low[1], x2: high[0], y2: high[1], class: "body" });
   const [cx, cy] = to(x, z);
   picture += svg("circle", { cx, cy, r: 4, class: "dot" });
-  // A step of the weight, 1 dt, is drawn 45 long; what is longer than the picture is marked by its number.
+  // A step of the weight, 1 dt, is drawn 45 long, or all arrows are shortened alike.
   const arrow = ([px, py], dx, dy, name, word) => {
     const size = Math.hypot(dx, dy);
     if (size < 2) return "";
-    const cut = Math.min(1, 120 / size), ex = px + dx * cut, ey = py + dy * cut, u = [dx / size, dy / size];
+    const ex = px + dx, ey = py + dy, u = [dx / size, dy / size];
     const label = svg("text", { ...(dx ? { x: px + 4 * u[0], y: py + 18 } : { x: px - 8, y: (py + ey) / 2 }), "text-anchor": dx > 0 ? "start" : "end", class: "faint" }, word);
     return label + svg("line", { x1: px, y1: py, x2: ex, y2: ey, class: name }) + svg("path", { d: `M${ex} ${ey}l${-9 * u[0] - 4 * u[1]} ${-9 * u[1] + 4 * u[0]}M${ex} ${ey}l${-9 * u[0] + 4 * u[1]} ${-9 * u[1] - 4 * u[0]}`, class: name });
   };
-  const unit = 45 / Number(state.dt);
+  const unit = Math.min(45 / Number(state.dt), 120 / Math.max(...push.map(Math.abs)));
   [[low, push[0], push[1]], [high, push[2], push[3]]].forEach(([end, normal, friction]) => {
     picture += arrow(end, 0, -unit * normal, "push normal", "normal") + arrow(end, unit * friction, 0, "push friction", "friction");
   });
@@ -111,7 +111,7 @@ function drawWords() {
   }
   find("#words").textContent = lines.join("\n");
   const says = { 0: "There is no solution: no force keeps the end out of the floor, because friction turns it into the floor faster than the normal force lifts it.", 1: "There is one solution.", 2: "There are two solutions: the end leaves the floor, or stays on it." }[forces.length];
-  find("#rod-title").textContent = forces.length ? "The rod" : "Velocity level: an impulse stops the end at once";
+  find("#rod-title").textContent = forces.length ? "The rod" : `An impulse does exist${Math.abs(frames[1].slip) < STILL ? ": the end stops at once" : ""}`;
   find("#says").textContent = `${says} The critical friction coefficient at this angle is ${digits(rod.critical)}.`;
   find("#says").className = `says ${["bad", "good", "caution"][forces.length]}`;
 }

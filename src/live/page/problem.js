@@ -22,8 +22,8 @@ function setLines(node, text) {
   }));
 }
 
-// The judge's text: the verdict, then a table of what it measured, then remarks.
-function setVerdict(text) {
+// The judge's text: the verdict, unless the page states it above; a table of what it measured; remarks.
+function setVerdict(text, isStated) {
   const [first, ...lines] = text.trimEnd().split("\n"), measured = lines.map((line) => line.match(/^ {2}(\S.*?) {2,}(\S+) {2,}(\S.*)$/));
   const paragraph = (text) => Object.assign(document.createElement("p"), { textContent: text });
   const table = document.createElement("table");
@@ -32,8 +32,9 @@ function setVerdict(text) {
     const typeset = value.replace(/e(-?\d+)$/, (_, power) => `×${ten(power)}`);
     for (const text of [name, typeset, meaning]) row.insertCell().textContent = text;
   }
+  const zeros = measured.length && measured.every((own) => !own || own[2] === "0") && table.rows.length > 1 ? [paragraph(`All ${table.rows.length} residuals are 0.`)] : [];
   const remarks = lines.filter((line, k) => !measured[k] && line.trim()).map((line) => paragraph(line.trim()));
-  find("#judge").replaceChildren(paragraph(first.replace(/^verdict\s+/, "")), ...(table.rows.length ? [table] : []), ...remarks);
+  find("#judge").replaceChildren(...(isStated ? [] : [paragraph(first.replace(/^verdict\s+/, ""))]), ...(zeros.length ? zeros : table.rows.length ? [table] : []), ...remarks);
 }
 
 function parse(text) {
@@ -47,7 +48,7 @@ function solve() {
   if (solved.error) return;
   state.step = Math.min(state.step, solved.steps.length - 1);
   find("#x").value = JSON.stringify(solved.answer.x);
-  setVerdict(solved.judge);
+  setVerdict(solved.judge, true);
   find("#solver").value = state.solver;
 }
 
@@ -161,6 +162,7 @@ function draw() {
 }
 // Another problem, or another method.
 function renew() {
+  find("#prove").hidden = false;
   find("#proof").hidden = find("#save").hidden = true;
   solve();
   draw();
@@ -176,6 +178,7 @@ function judge() {
   const x = parse(find("#x").value);
   const verdict = Array.isArray(x) ? ask({ ask: "judge", problem, x: x.map(Number) }) : { error: `x: expected a list of numbers${x?.error ? ` (${x.error})` : ""}` };
   setVerdict(verdict.error ?? verdict.text);
+  find("#prove").hidden = false;
   find("#proof").hidden = find("#save").hidden = true;
 }
 function prove() {
@@ -183,6 +186,7 @@ function prove() {
   const why = (missing ?? []).map(([kind, reason]) => `Not proved: ${CLAIMS[kind] ?? kind} (${reason})`);
   setLines(find("#proof"), error ?? [proof ? `Proved: ${proof.sentence}` : "Nothing could be proved.", ...why].join("\n"));
   find("#proof").hidden = false;
+  find("#prove").hidden = !error;
   find("#save").hidden = !proof;
   if (proof) find("#save").href = `data:application/json,${encodeURIComponent(JSON.stringify(proof.file))}`;
 }

@@ -95,7 +95,7 @@ function drawSays() {
   } else {
     const { step, x } = moves[state.at], carried = x[0] / exact[0];
     says.push(`After ${step} ${isSweep() ? (step === 1 ? "sweep" : "sweeps") : (step === 1 ? "pivot" : "pivots")} the ground supports ${short(100 * carried, 3)}\u00a0% of the weight.`);
-    if (typeof trace.rate === "number") says.push(`In the long run each sweep multiplies the error by ${short(trace.rate, 4)}: ${short(Math.ceil(Math.log(10) / -Math.log(trace.rate)))} sweeps per digit.`);
+    if (typeof trace.rate === "number") says.push(`In the long run each sweep multiplies the error by ${short(trace.rate, 5)}: ${short(Math.ceil(Math.log(10) / -Math.log(trace.rate)))} sweeps per digit.`);
     if (!isSweep()) says.push(`${trace.status}; verdict: ${trace.verdict}.`);
   }
   find("#says").textContent = says.join(" ");

@@ -109,13 +109,13 @@ function drawCones() {
     const middle = unit([unit(p)[0] + unit(q)[0], unit(p)[1] + unit(q)[1]]), far = [4, 3.3, 3.3, 2.5][set], near = Math.hypot(...middle.map((v, i) => far * v - point[i])) < 1.2, [x, y] = toCones(middle.map((v) => (near ? far - 1.6 : far) * v));
     if (Math.hypot(...middle) > 0) labels += svg("text", { x, y, class: "faint", "text-anchor": "middle" }, text);
   });
-  picture += labels;
+  picture += labels + svg("path", { d: "M0 210H210V420", class: "axis", fill: "none" }) + svg("text", { x: 4, y: 204 }, "−e₀") + svg("text", { x: 216, y: 412 }, "−e₁");
   const arrow = (v, name, text) => {
     const [x, y] = toCones(v), size = Math.hypot(...v) || 1;
     const [tx, ty] = toCones([v[0] + v[0] / size * 0.35, v[1] + v[1] / size * 0.35]);
     return svg("line", { x1: 210, y1: 210, x2: x, y2: y, class: name, style: "stroke-dasharray:none" }) + svg("text", { x: tx - (v[0] < -0.9 * size ? 14 : 8), y: ty + 4 }, text);
   };
-  picture += arrow(I[0], "axis", "−e₀") + arrow(I[1], "axis", "−e₁") + arrow(A[0], "w0", "A₀") + arrow(A[1], "w1", "A₁");
+  picture += arrow(A[0], "w0", "A₀") + arrow(A[1], "w1", "A₁");
   const [cx, cy] = toCones(point);
   picture += svg("circle", { cx, cy, r: 9, class: "handle", id: "minus-b" }) + svg("text", { x: cx + 12, y: cy - 8 }, "−b");
   const focus = document.activeElement?.id;
@@ -216,5 +216,10 @@ opened.then((answering) => {
     timer = setInterval(() => (state.step < trace.steps.length - 1 ? change({ step: state.step + 1 }) : (stop(), draw())), 350);
     draw();
   });
-  follow(USUAL, OWN, () => { stop(); change({}); });
+  follow(USUAL, OWN, () => {
+    stop();
+    // The usual state begins with a part of the path.
+    const isUsual = Object.keys(USUAL).every((key) => String(state[key]) === String(USUAL[key]));
+    change(isUsual ? { step: 4 } : {});
+  });
 });
