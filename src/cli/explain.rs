@@ -144,8 +144,15 @@ fn motion(scene: &Scene, solver: &str, first: usize, last: usize) -> Result<Opti
     };
     let caption = match scene.step.scheme {
         _ if largest.is_empty() => "The velocities are those before the step. No forces are drawn.",
-        Scheme::Acceleration => "The forces are those at the end of the step.",
-        _ => "The forces are the impulses x of the step, divided by its length.",
+        Scheme::Acceleration if frames.iter().any(is_impact) => {
+            "First the velocities before the step, then the impulses of the impact, then the forces at the end of the step."
+        }
+        Scheme::Acceleration => {
+            "First the velocities before the step, then the forces at the end of the step."
+        }
+        _ => {
+            "First the velocities before the step, then the forces: the impulses x of the step, divided by its length."
+        }
     };
     let arrows = Arrows::Labeled;
     let strip = Strip { title, labels, arrows, ..Strip::new(&scene, frames) };

@@ -34,8 +34,8 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
         blocks,
         ..Section::default()
     };
-    let mut sections = vec![section("proof", "Check the proof", vec![claim])];
-    let (opening, numbers) = numbers(problem, &proof.claim);
+    let mut sections = Vec::new();
+    let (picture, numbers) = numbers(problem, &proof.claim);
     if !numbers.is_empty() {
         sections.push(section("numbers", "What the proof consists of", numbers));
     }
@@ -57,11 +57,12 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
                 && unit(problem).is_some()
                 && agree_in_w(problem, &values(&problem.lcp, x), &values(&problem.lcp, y)) =>
         {
-            " The contacts can share the forces in more than one way; $w$ is the same in both, up to rounding, so the bodies move alike."
+            " The contacts can share the forces in more than one way; $w$ is the same in both but for the rounding of $A$ and $b$ in the file, so the bodies move alike."
         }
         _ => "",
     };
     let subject = match proof.claim {
+        Claim::NotUnique { .. } if !meaning.is_empty() => "One motion, two exact sets of forces:",
         Claim::NotUnique { .. } => "Two solutions for",
         Claim::Unique { .. } => "The only solution for",
         Claim::NoSolution { .. } => "No solution for",
@@ -79,7 +80,7 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
             "**Proved: {sentence}{limits}.**{meaning} The problem has {rows}{}.{stronger}",
             contacts(problem)
         ),
-        opening: opening.map(Block::Figure).into_iter().collect(),
+        opening: [claim].into_iter().chain(picture.map(Block::Figure)).collect(),
         sections,
         ..Page::default()
     }
@@ -186,10 +187,15 @@ fn drawing(problem: &Problem, points: &[Vec<RBig>], shown: &[usize]) -> Picture 
     let (title, name) = match &floats[..] {
         [x, y] => {
             let apart = |i: &usize| (x[*i] - y[*i]).abs();
-            let row = shown.iter().max_by(|i, k| apart(i).total_cmp(&apart(k))).unwrap_or(&0);
-            let (most, row) = (readable(apart(row), 3), label(problem, *row));
+            let most = readable(shown.iter().map(apart).fold(0.0, f64::max), 3);
+            let rows = shown.iter().filter(|i| readable(apart(i), 3) == most);
+            let rows: Vec<String> = rows.map(|i| format!("row {}", label(problem, *i))).collect();
+            let place = match &rows[..] {
+                [_, _, _, ..] => counted(rows.len(), "row"),
+                rows => rows.join("; "),
+            };
             (
-                format!("Within their limits, x and y differ by up to {most} {unit} (row {row})"),
+                format!("Within their limits, x and y differ by up to {most} {unit} ({place})"),
                 "x, y",
             )
         }

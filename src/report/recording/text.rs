@@ -6,7 +6,7 @@ use super::energy_totals::EnergyTotals;
 use super::{NOT_ACCOUNTED, Record};
 use crate::body::{Body, State};
 use crate::lcp::friction::{Form, Law};
-use crate::number::{counted, readable};
+use crate::number::{capitalized, counted, readable};
 use crate::scene::{Resting, Scene, Scheme};
 use crate::simulation::{Departure, Slip, momentum_sizes, unstable_springs};
 
@@ -123,7 +123,7 @@ impl Record {
             true => format!(" ({part} % of the largest kinetic energy)"),
             false => String::new(),
         };
-        format!("the energy varies by {} J{part}", readable(most - least, 2))
+        format!("the energy varies over a range of {} J{part}", readable(most - least, 2))
     }
 
     /// The totals of a page: without those of contacts if there were none, without the ledger, and
@@ -131,7 +131,8 @@ impl Record {
     pub(crate) fn page_totals(&self) -> Vec<(&'static str, String)> {
         let is_shown = |name: &str| match name {
             "friction" | "penetration" | "laws" | "weight" => self.touched,
-            "scheme" | "steps" | "energy" => false,
+            "scheme" | "steps" | "energy" | "residual" => false,
+            "drift" => self.worst_angular_drift > DRIFT,
             "problems" => self.tally.solves == 0,
             name => name != "ledger" || self.energy_totals.is_none(),
         };
@@ -155,6 +156,19 @@ impl Record {
         let step = &self.scene.step;
         let steps = counted(self.steps, "step");
         format!("{steps} of {} s, scheme {}{solver}.", readable(step.dt, 3), step.scheme.name())
+    }
+
+    /// How to reduce the drift, in a sentence; empty if it is small.
+    pub(crate) fn advice(&self) -> String {
+        match self.relative_drift() {
+            [_, remedy] if !remedy.is_empty() => format!(" {}.", capitalized(&remedy)),
+            _ => String::new(),
+        }
+    }
+
+    /// The largest scaled residual of an answer.
+    pub(crate) fn residual(&self) -> String {
+        readable(self.tally.worst_residual, 2)
     }
 
     /// What needs attention: notes, warnings, a rejected answer, and why the run ended early.
@@ -395,9 +409,13 @@ impl Record {
     }
 
     fn drift_in_words(&self) -> String {
-        let [drift, angle, part] =
-            [readable(self.worst_drift, 3), self.misalignment_in_words(), self.relative_drift()];
-        format!("at most {drift} m{angle}{part}")
+        let [drift, angle] = [readable(self.worst_drift, 3), self.misalignment_in_words()];
+        match self.relative_drift() {
+            [part, remedy] if !remedy.is_empty() => {
+                format!("at most {drift} m{angle}{part}; {remedy}")
+            }
+            [part, _] => format!("at most {drift} m{angle}{part}"),
+        }
     }
 
     /// The size of the scene (m) at the start, because a drift enlarges it.
@@ -408,27 +426,35 @@ impl Record {
     }
 
     /// The drift relative to the scene, and how to reduce it, if it is large enough to report.
-    fn relative_drift(&self) -> String {
+    fn relative_drift(&self) -> [String; 2] {
         let part = self.worst_drift / self.size();
         if !(part > DRIFT && part.is_finite()) {
-            return String::new();
+            return Default::default();
         }
         let remedy = match self.scene.step.scheme {
             Scheme::Velocity | Scheme::SequentialImpulses if self.scene.step.baumgarte > 0.0 => {
-                "a shorter step or a larger step.baumgarte reduces it"
+                "a shorter step or a larger step.baumgarte reduces the drift"
             }
-            Scheme::Velocity | Scheme::SequentialImpulses => "set step.baumgarte to correct it",
+            Scheme::Velocity | Scheme::SequentialImpulses => {
+                "set step.baumgarte to correct the drift"
+            }
             // Feedback cannot hold what rows of a nearly singular A throw apart.
             Scheme::Acceleration if self.has_diverged => {
                 "the motion diverged: try a shorter step or the scheme velocity"
             }
-            Scheme::Acceleration if self.scene.step.alpha == 0.0 => "set step.alpha to correct it",
-            Scheme::Penalty => "a larger step.penalty.stiffness with more step.substeps reduces it",
-            Scheme::Soft => "a larger step.soft.joint_hertz with more step.substeps reduces it",
-            _ => "a shorter step reduces it",
+            Scheme::Acceleration if self.scene.step.alpha == 0.0 => {
+                "set step.alpha to correct the drift"
+            }
+            Scheme::Penalty => {
+                "a larger step.penalty.stiffness with more step.substeps reduces the drift"
+            }
+            Scheme::Soft => {
+                "a larger step.soft.joint_hertz with more step.substeps reduces the drift"
+            }
+            _ => "a shorter step reduces the drift",
         };
         let percent = readable(100.0 * part, 2);
-        format!(", {percent} % of the scene's size at the start; {remedy}")
+        [format!(", {percent} % of the scene's size at the start"), remedy.into()]
     }
 
     /// The moving bodies that the output lists, with their states, and the number of the others.

@@ -12,7 +12,7 @@ use crate::report::recording::Record;
 use crate::report::study::animation::{AnimationData, Plan};
 
 /// The explanation of the controls, for the caption.
-const HOW: &str = "Arrows are forces on the moving body.";
+pub(super) const HOW: &str = "Arrows are forces on the moving body.";
 
 impl ReportPage {
     /// Adds an animation as a separate section.
@@ -60,20 +60,22 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     let judged = match record.verdicts() {
         [_, 0] => String::new(),
         [accepted, solves] if accepted == solves => format!(
-            "**The judge accepts all {} answers, so errors of the motion are those of the scheme and its step length.** ",
+            "The judge accepts all {} answers, so errors of the motion are those of the scheme and its step length. ",
             count(solves)
         ),
         [accepted, solves] => format!(
-            "**The judge accepts {} of {} answers: errors of the motion may be the solver's.** ",
+            "The judge accepts {} of {} answers: errors of the motion may be the solver's. ",
             count(accepted),
             count(solves)
         ),
     };
-    let lead = judged + &markup::literal(&record.run());
+    let [found, run, advice] =
+        [record.finding(), record.run(), record.advice()].map(|words| markup::literal(&words));
+    let lead = format!("**{found}.** {judged}{run}{advice}");
     let page = Page { title: scene.title.clone(), lead, ..Page::default() };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     let mut animation = animation.drawn();
-    animation.title = record.finding();
+    animation.title = String::new(); // the lead states it
     let files = FILES.map(|name| (name.into(), name.into())).into();
     let player = Player { animation, caption: HOW.into(), files };
     document.page.opening = vec![Block::Tiles(tiles(record)), Block::Player(Box::new(player))];
@@ -84,7 +86,9 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     for (kind, remark) in record.remarks() {
         document.add(Block::Note(format!("**{kind}**: {}", markup::literal(&remark))));
     }
-    document.add(Block::Table(totals(record)));
+    if !record.page_totals().is_empty() {
+        document.add(Block::Table(totals(record)));
+    }
     let ledger = record.ledger();
     if !ledger.is_empty() {
         document.add(Block::Table(causes(record, &ledger)));
@@ -107,7 +111,7 @@ fn tiles(record: &Record) -> Vec<Tile> {
     let [accepted, solves] = record.verdicts();
     let answers = tile(
         format!("{} of {}", count(accepted), count(solves)),
-        "answers accepted by the judge",
+        &format!("answers accepted by the judge; scaled residual at most {}", record.residual()),
         accepted == solves,
     );
     let warnings = record.remarks().iter().filter(|(kind, _)| *kind != "note").count();
@@ -163,7 +167,7 @@ fn causes(record: &Record, ledger: &[(&str, f64)]) -> Table {
     let explained: String = CAUSES.iter().filter_map(explained).collect();
     let how = format!("Over all steps.{explained} The ledger {}.", record.balance());
     let causes = ledger.iter().map(|&(name, work)| row(name, work));
-    let rows = causes.chain([row("sum", sum)]).collect();
+    let rows = causes.chain([row("sum, the change at the end", sum)]).collect();
     Table::new("What changed the energy", how, "cause | #energy (J)", rows)
 }
 
@@ -176,11 +180,9 @@ fn totals(record: &Record) -> Table {
         vec![Cell::text(name), Cell::text(format!("{first} {more}").trim_end())]
     };
     let totals = record.page_totals();
-    let mut how = String::from(
-        "*residual*: the largest scaled residual of an answer. *drift*: the largest error of a joint.",
-    );
+    let mut how = String::new();
     if totals.iter().any(|(name, _)| *name == "laws") {
-        how += " *weight*: the part of it that contacts, joints and springs support. *laws*: the largest violations \
+        how += "*weight*: the part of it that contacts, joints and springs support. *laws*: the largest violations \
                 of those of contact and friction.";
     }
     let rows = totals.into_iter().map(row).collect();

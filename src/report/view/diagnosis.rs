@@ -3,6 +3,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::ReportPage;
+use super::animation::{HOW, animation_block};
 use crate::animation::{Animation, Frame, Recording, Sample, Strip, instants};
 use crate::diagnosis::unsupported::{
     ErrorHistory, Examination, Frame as Problem, OVERLAP, ReferenceSolution, Slowest, UserSolver,
@@ -45,7 +46,8 @@ pub(crate) fn diagnosis_page(
         let mut animation = animation(scene, found.notes.len())?;
         let deepest = found.worst().into_iter().find(|(measure, _)| *measure == OVERLAP);
         animation.start = deepest.map(|(_, place)| place + 1);
-        page.animation(&animation, ANIMATION);
+        let drawn = animation.drawn();
+        page.page.opening.push(animation_block(drawn, format!("{ANIMATION} {HOW}")));
     }
     for (k, section) in words.sections.iter().enumerate() {
         page.open(&format!("part-{}", k + 1), &section.title);

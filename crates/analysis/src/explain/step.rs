@@ -138,21 +138,26 @@ fn found(place: &str, level: Scheme, solves: &[Solve]) -> String {
     let unit = entry.map_or("iterations", |entry| entry.group.unit());
     let counts: Vec<_> = solves.iter().map(|own| own.solution.iterations.to_string()).collect();
     let is_solved = solves.iter().all(|own| own.solution.status == Status::Solved);
+    let (solver, level) = (&last.solver, level.name());
     let work = match (is_solved, solves.len()) {
         (true, 1) => {
-            format!("finds x in {}", counted(last.solution.iterations, unit.trim_end_matches('s')))
+            let counted = counted(last.solution.iterations, unit.trim_end_matches('s'));
+            format!("at {level} level {solver} finds x in {counted}.")
         }
-        (true, 2) => format!("finds both ({} {unit})", counts.join(" and ")),
-        (true, _) => format!("finds all ({} {unit})", counts.join(", ")),
-        (false, _) => format!("ends without a solution ({} {unit})", counts.join(", ")),
+        (true, all) => {
+            let counts = counts.join(" and ");
+            format!("the scheme solves {all} LCPs in this order, {solver} in {counts} {unit}.")
+        }
+        (false, _) => {
+            let counts = counts.join(", ");
+            format!("at {level} level {solver} ends without a solution ({counts} {unit}).")
+        }
     };
-    let (solver, level) = (&last.solver, level.name());
     let place = place.replace(',', ":");
-    let work = format!("t {level} level {solver} {work}.");
     // Values of x that are no solution would mislead.
     capitalized(&match is_solved {
-        true => format!("{place}{answers}. A{work}"),
-        false => format!("{place}a{work}"),
+        true => format!("{place}{answers}. {}", capitalized(&work)),
+        false => format!("{place}{work}"),
     })
 }
 

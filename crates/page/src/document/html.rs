@@ -9,15 +9,26 @@ use crate::page::{Block, Cell, Column, Page, Section, Table};
 use lcplab_lcp::error::Result;
 
 pub(super) fn written(document: &Document) -> Result<String> {
+    // A picture before everything else stands above the first section.
+    let first = document.sections.first().and_then(|section| section.blocks.first());
+    let opening: Vec<Block> = match first {
+        Some(picture @ super::Block::Figure(_)) => vec![picture.on_page()],
+        _ => Vec::new(),
+    };
+    let shown = opening.len();
     let section = |(k, section): (usize, &super::Section)| Section {
         id: format!("part-{}", k + 1),
         title: section.title.clone(),
-        blocks: section.blocks.iter().map(super::Block::on_page).collect(),
+        blocks: section.blocks[if k == 0 { shown } else { 0 }..]
+            .iter()
+            .map(super::Block::on_page)
+            .collect(),
         ..Section::default()
     };
     let page = Page {
         title: document.title.clone(),
         lead: lead(&document.lead),
+        opening,
         sections: document.sections.iter().enumerate().map(section).collect(),
         facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
         ..Page::default()

@@ -200,12 +200,13 @@ impl Examination {
                 "No LCP was solved in these steps, so the solver has no influence.".into()
             }
         };
-        let is_deep = self.sunk.as_ref().is_some_and(|(_, depth)| *depth > REPORTED_DEPTH);
-        let own = self.remedy_effects.iter().find(|own| is_deep && own.what == UNCHANGED);
-        if let (Some(own), Some(time)) = (own, self.time) {
-            let [time, off] = [time, own.off].map(|value| readable(value, DIGITS));
-            words +=
-                &format!(" After {time} s the distance from the exact position is up to {off} m.");
+        let depth = self.notes.iter().filter_map(|note| note.penetration).fold(0.0, f64::max);
+        let time = self.time.filter(|_| {
+            self.sunk.as_ref().is_some_and(|(_, sunk)| *sunk > REPORTED_DEPTH) && depth > 0.0
+        });
+        if let Some(time) = time {
+            let [time, depth] = [time, depth].map(|value| readable(value, DIGITS));
+            words += &format!(" Within {time} s bodies overlap by up to {depth} m.");
         }
         words
     }
@@ -251,8 +252,10 @@ impl Examination {
             }
             _ => return String::new(),
         };
-        let remedy = self.unsupported.as_ref().and_then(UnsupportedLoad::remedy_in_words);
-        format!("{cause}{}.", remedy.map_or(String::new(), |remedy| format!("; {remedy}")))
+        let remedy = self.unsupported.as_ref().and_then(|found| {
+            Some(format!("; {}{}", found.remedy_in_words()?, found.remedy_cost()))
+        });
+        format!("{cause}{}.", remedy.unwrap_or_default())
     }
 
     /// The masses of this cause in words, if it is their ratio: of up to four bodies all, otherwise
@@ -347,7 +350,12 @@ impl Examination {
             ["No reference".into(), format!("{}. {lost}", capitalized(reason))]
         }));
         let warnings = self.distinct_warnings().into_iter();
-        lines.extend(warnings.map(|warning| ["Warning".into(), capitalized(warning)]));
+        // A cause that was found makes the likely ones, and the advice against them, obsolete.
+        let own = |warning: &str| match warning.split_once(" A likely cause") {
+            Some((fact, _)) if !causes.is_empty() => capitalized(fact),
+            _ => capitalized(warning),
+        };
+        lines.extend(warnings.map(|warning| ["Warning".into(), own(warning)]));
         let lost = self.lost_bounces.iter();
         lines.extend(lost.map(|lost| ["Note".into(), format!("{}.", capitalized(lost))]));
         if !self.ruled_out.is_empty() {

@@ -133,7 +133,7 @@ impl UnsupportedLoad {
             true => "upward force between two bodies (N), largest error first",
             false => "upward impulse between two bodies (N s), largest error first",
         };
-        section.table(title, &["between", "required", "actual", "fraction"], rows);
+        section.table(title, &["between", "required", "actual", "share of required"], rows);
         (!self.pairs.is_empty()).then_some(section)
     }
 
@@ -149,6 +149,16 @@ impl UnsupportedLoad {
             false => {
                 format!("with {what} the error falls to {}", percent(best.missing))
             }
+        })
+    }
+
+    /// The cost of the best remedy, if it removes the error; otherwise empty.
+    pub(crate) fn remedy_cost(&self) -> String {
+        let cure = self.best_remedy().filter(|best| best.missing <= HEALTHY);
+        let costs = cure.map(|best| [best.work, self.work]);
+        costs.filter(|own| own.iter().all(|work| work.is_finite())).map_or(String::new(), |own| {
+            let [own, given] = own.map(|work| readable(work, DIGITS));
+            format!(" with {own} multiplications instead of {given}")
         })
     }
 
