@@ -146,7 +146,9 @@ fn found(place: &str, level: Scheme, solves: &[Solve]) -> String {
         }
         (true, all) => {
             let counts = counts.join(" and ");
-            format!("the scheme solves {all} LCPs in this order, {solver} in {counts} {unit}.")
+            format!(
+                "the scheme poses {all} LCPs in this order; {solver} finds x in {counts} {unit}."
+            )
         }
         (false, _) => {
             let counts = counts.join(", ");
