@@ -1,5 +1,6 @@
 //! The friction models on a block that is pushed from all sides, and on a rod.
 
+use super::attempt::listed;
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::readable;
 use crate::plot::{self, Axis, Lines, Series};
@@ -73,9 +74,18 @@ impl View for Plan {
     fn headline(&self, findings: &[Finding]) -> Headline {
         let answer = findings.first().map(|study| {
             let (turned, models) = most_aside();
+            let close = closest(study).map_or(String::new(), |(model, part)| {
+                format!(
+                    "; the best of Table 1, {}, is off by {} and {}°",
+                    short(model),
+                    percent(part),
+                    readable(aside(model), 3)
+                )
+            });
             format!(
-                "**Boxes and polygons hold {} and turn friction by up to {turned:.0}° ({models}).** Only the cone obeys \
-                 Coulomb's law.",
+                "**Use {}: no other model here obeys Coulomb's law.** Friction of boxes and polygons points to a corner: they \
+                 hold {} and turn friction by almost {turned:.0}° ({models}){close}.",
+                listed(&obeying(study)),
                 strength(study)
             )
         });
@@ -113,14 +123,17 @@ fn checked<'a, T: 'a>(
 fn models(study: &Finding) -> Table {
     let row = |model: &Model| {
         let held = held(study, *model).map(|part| Cell::number((100.0 * part).round(), 3));
-        let aside = Cell::number(aside(*model), 3);
+        let aside = match aside(*model) {
+            0.0 => Cell::count(0),
+            most => Cell { value: Some(most), ..Cell::text(format!("< {}", readable(most, 3))) },
+        };
         [Cell::text(short(*model))].into_iter().chain(held).chain([aside]).collect()
     };
     Table::new(
         "Friction under each model",
         format!(
             "A block is pushed in directions {}° apart. *weakest*, *strongest*: the largest push that does not move it, \
-             relative to Coulomb's limit. *off*: the largest angle between friction and the direction against the slip, from the lines of Figure 2.",
+             relative to Coulomb's limit. *off*: the angle between friction and the direction against the slip.",
             readable(PUSH_ANGLE, 2)
         ),
         "model | #weakest (%) | #strongest (%) | #off (°)",
@@ -136,11 +149,37 @@ fn extreme(of: impl Fn(Model) -> f64) -> (f64, String) {
 
 /// The least and the largest push that a model holds, with these models.
 fn strength(study: &Finding) -> String {
-    let percent = |part: f64| readable((100.0 * part).round(), 3);
     let (least, weakest) = extreme(|model| -held(study, model)[0]);
     let (most, strongest) = extreme(|model| held(study, model)[1]);
     let (least, most) = (percent(-least), percent(most));
-    format!("{least}\u{a0}% ({weakest}) to {most}\u{a0}% ({strongest}) of Coulomb's limit")
+    format!("{least} ({weakest}) to {most} ({strongest}) of Coulomb's limit")
+}
+
+fn percent(part: f64) -> String {
+    format!("{}\u{a0}%", readable((100.0 * part).round(), 3))
+}
+
+/// The models whose answers for the block obey Coulomb's law.
+fn obeying(study: &Finding) -> Vec<String> {
+    let obeys = |model: &Model| {
+        let mut own = study.slides.iter().filter(|slide| slide.answer.model == *model);
+        own.all(|slide| follows(&slide.answer))
+    };
+    let name = |model| match model {
+        Model::CoulombCone => "the exact cone (*coulomb-cone*)".to_string(),
+        other => format!("*{other}*"),
+    };
+    Model::ALL.into_iter().filter(obeys).map(name).collect()
+}
+
+/// The model with corners whose limit is closest to Coulomb's, and the error of it.
+fn closest(study: &Finding) -> Option<(Model, f64)> {
+    let error = |model: Model| {
+        let errors = held(study, model).map(|part| (part - 1.0).abs());
+        (model, errors[0].max(errors[1]))
+    };
+    let all = SHOWN.into_iter().filter(|model| aside(*model) > 0.0).map(error);
+    all.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// The least and the largest push that a model holds, relative to Coulomb's limit.
@@ -282,7 +321,7 @@ fn direction_figure(study: &Finding) -> Lines {
     Lines::new(
         "friction_direction",
         format!(
-            "Friction points up to {most:.0}° away from the direction against the slip ({names})"
+            "Friction points up to almost {most:.0}° away from the direction against the slip ({names})"
         ),
         format!(
             "The push is {} times the largest push that friction can resist, in directions from 0 to 90° \
@@ -425,7 +464,12 @@ fn verdict(answer: &Answer) -> Cell {
     Cell::text(words).marked(if is_accepted(answer) { Mark::Plain } else { Mark::Bad })
 }
 
+/// Whether an answer obeys Coulomb's law.
+fn follows(answer: &Answer) -> bool {
+    answer.coulomb_residual <= 1e-8
+}
+
 fn residual(answer: &Answer) -> Cell {
-    let follows = answer.coulomb_residual <= 1e-8;
-    Cell::number(answer.coulomb_residual, 2).marked(if follows { Mark::Good } else { Mark::Plain })
+    let number = Cell::number(answer.coulomb_residual, 2);
+    number.marked(if follows(answer) { Mark::Good } else { Mark::Plain })
 }

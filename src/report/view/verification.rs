@@ -262,7 +262,8 @@ fn dots(rows: &[Row]) -> Bars {
         let mut others: Vec<f64> = rows.iter().map(|row| share(row).max(LEAST)).collect();
         others.sort_by(f64::total_cmp);
         let value = others.pop().unwrap_or(f64::NAN);
-        Bar { name: title(&rows[0].case).to_string(), accent: value > 100.0, value, others }
+        let (name, amount) = (title(&rows[0].case).to_string(), readable(value, 3));
+        Bar { name, accent: value > 100.0, value, amount, others }
     };
     let mut bars: Vec<Bar> = rows.chunk_by(|a, b| a.case == b.case).map(bar).collect();
     let cases = bars.len();

@@ -15,14 +15,14 @@ use crate::number::readable;
 const THICKNESS: f64 = 16.0;
 const DOT: f64 = 6.0;
 /// A name that is wider than this part of a narrow picture stands above its bar,
-const MOST_BESIDE: f64 = 0.25;
+const MOST_BESIDE: f64 = 0.3;
 /// which takes this height in px.
 const NAME: f64 = 16.0;
 /// The color of a bar without accent.
 const GRAY: (u8, u8, u8) = (128, 134, 144);
 const PITCH: f64 = 24.0;
 /// More bars are closer, so that they fit a part of a printed sheet.
-const MANY: usize = 20;
+const MANY: usize = 15;
 const CLOSE: f64 = 18.0;
 const TOP: f64 = 46.0;
 /// The space above the bars for the name of the limit in px.
@@ -56,9 +56,11 @@ pub struct Bar {
     pub name: String,
     /// Whether it has the color of its name ([`style::style`]); the others are gray.
     pub accent: bool,
-    /// The value; one that the axis cannot show is written as a number.
+    /// The value.
     pub value: f64,
-    /// Other values of the same kind, drawn as pale dots on a logarithmic axis.
+    /// The text in the column of values, for example the value.
+    pub amount: String,
+    /// Other values of the same kind, drawn pale.
     pub others: Vec<f64>,
 }
 
@@ -164,21 +166,27 @@ impl Figure for Bars {
                 ];
                 layer.draw(&Rectangle::new(corners, of_bar.filled()))?;
                 for at in bar.others.iter().filter_map(|value| self.x.scale.position(*value)) {
-                    let at = (fine(frame.place((at, 0.0)).0), fine(middle));
-                    layer.draw(&Circle::new(at, fine(0.6 * DOT), color.mix(0.35).filled()))?;
+                    let at = fine(frame.place((at, 0.0)).0);
+                    let pale = color.mix(0.35).filled();
+                    match dot {
+                        true => layer.draw(&Circle::new((at, fine(middle)), fine(0.6 * DOT), pale)),
+                        false => {
+                            let from = (corners[1].0, corners[0].1);
+                            layer.draw(&Rectangle::new([from, (at, corners[1].1)], pale))
+                        }
+                    }?;
                 }
                 let radius = if dot && end.is_some() { fine(DOT) } else { 0 };
                 layer.draw(&Circle::new((fine(to), fine(middle)), radius, color.filled()))
             });
             canvas.raw("</g>\n");
-            let amount = readable(bar.value, 3);
             let (name, anchor) = match is_above {
                 true => ((left, middle - row / 2.0), Anchor::Start),
                 false => ((left - 10.0, middle + 5.0), Anchor::End),
             };
             canvas.text(name, anchor, TEXT, INK, &bar.name);
-            canvas.text((wide - style::EDGE, middle + 5.0), Anchor::End, TEXT, INK, &amount);
-            description += &format!("{} {amount}; ", bar.name);
+            canvas.text((wide - style::EDGE, middle + 5.0), Anchor::End, TEXT, INK, &bar.amount);
+            description += &format!("{} {}; ", bar.name, bar.amount);
         }
         canvas.raw("</g>\n");
         for tick in &ticks {

@@ -55,6 +55,9 @@ struct End<'a> {
     text: &'a str,
     at: (f64, f64),
     color: RGBColor,
+    /// Whether its marker stands before a label right of the frame; next to points it would look
+    /// like one of them.
+    has_marker: bool,
 }
 
 /// The names and labels of a panel's curves.
@@ -190,7 +193,8 @@ pub(super) fn draw(
             _ if series.look == Look::Theory => style::FAINT_INK,
             color => color,
         };
-        let end = End { name: &series.name, text, at, color };
+        let has_marker = series.look != Look::Points;
+        let end = End { name: &series.name, text, at, color, has_marker };
         let is_line = series.look == Look::Reference;
         if only_references && !is_line {
             continue;
@@ -291,14 +295,17 @@ fn draw_beside(
         let (middle, size) = (places[k], sizes[k]);
         open(canvas, end);
         let (start, bend) = ((frame.right, end.at.1), frame.right + LEADER / 2.0);
+        let stop = left - 3.0 + if end.has_marker { 0.0 } else { SPOT };
         match is_shared(k) {
             true => {
-                let path = [start, (bend, end.at.1), (bend, middle), (left - 3.0, middle)];
+                let path = [start, (bend, end.at.1), (bend, middle), (stop, middle)];
                 lead(canvas, end, &path);
             }
-            false => lead(canvas, end, &[end.at, start, (left - 3.0, middle)]),
+            false => lead(canvas, end, &[end.at, start, (stop, middle)]),
         }
-        looks[end.name].mark(canvas, &[(left + 3.0, middle)]);
+        if end.has_marker {
+            looks[end.name].mark(canvas, &[(left + 3.0, middle)]);
+        }
         for (k, line) in lines.iter().enumerate() {
             let y = middle - size / 2.0 + LINE * (k as f64 + 0.5) + 4.5;
             canvas.text((left + SPOT, y), Anchor::Start, TEXT, INK, line);

@@ -25,6 +25,7 @@ fn bars_without_a_place_are_written() {
                 name: name.into(),
                 accent: false,
                 value,
+                amount: number::readable(value, 3),
                 others: Vec::new(),
             })
             .into();

@@ -18,6 +18,8 @@ const LEAST: f64 = 1e-17;
 const FASTER: f64 = 1.5;
 /// Unsupported weight up to this is not drawn (%).
 const SUPPORTED: f64 = 1e-5;
+/// Unsupported weight below this is enough for an engine.
+const ENOUGH: f64 = 0.01;
 
 pub(super) fn show(problems: &[&Progress], document: &mut ReportPage) {
     document.text(
@@ -36,8 +38,12 @@ pub(super) fn outcome(problems: &[&Progress]) -> Outcome {
     let methods = || problems.iter().flat_map(|progress| &progress.methods);
     let rejected = methods().filter(|method| method.outcome == trial::Outcome::Rejected).count();
     let solved = methods().filter(|method| method.outcome.is_solved()).count();
-    let says =
-        format!("{solved} of {} solvers succeed, {rejected} false claims", methods().count());
+    let on: Vec<&str> = problems.iter().map(|progress| progress.problem.as_str()).collect();
+    let on = listed(&on);
+    let says = format!(
+        "{solved} of {} solvers succeed on {on}, {rejected} false claims",
+        methods().count()
+    );
     Outcome { good: rejected == 0, says }
 }
 
@@ -60,22 +66,39 @@ fn by_cost(progress: &Progress) -> Vec<&MethodProgress> {
 }
 
 fn answer(progress: &Progress, first: &MethodProgress, choices: &[&Progress]) -> String {
-    let iterations = first.marks.last().map_or(0, |end| end.iteration);
-    let budget = budget(progress).zip(left(progress)).map_or(String::new(), |(ten, share)| {
-        let part = readable((100.0 * work(first) / ten).round(), 3);
-        format!(
-            "Ten sweeps of *pgs* (projected Gauss-Seidel), a typical budget in engines, leave {share} of its weight \
-             unsupported, because a sweep passes the load only from contact to contact; *{}* needs {}, {part}\u{a0}% of that work.",
-            first.solver,
-            iterations_in_words(&first.solver, iterations),
-        )
-    });
     let stack =
         format!("a stack of {} ({} rows)", in_words(&progress.problem), count(progress.rows));
-    match decision(choices) {
-        Some(decision) => format!("{decision} Figure 1 shows {stack}. {budget}"),
-        None => format!("The problem is {stack}; {} is cheapest. {budget}", named(&first.solver)),
-    }
+    let Some(decision) = decision(choices) else {
+        let iterations = first.marks.last().map_or(0, |end| end.iteration);
+        let part = budget(progress).map_or(String::new(), |ten| {
+            let part = readable((100.0 * work(first) / ten).round(), 3);
+            format!(", {part}\u{a0}% of the work of ten sweeps of *pgs*")
+        });
+        let iterations = iterations_in_words(&first.solver, iterations);
+        let named = named(&first.solver);
+        return format!("The problem is {stack}; {named} is cheapest: {iterations}{part}.");
+    };
+    let left = left(progress).map_or(String::new(), |share| {
+        format!(
+            " Ten sweeps of *pgs* (projected Gauss-Seidel), a typical budget in engines, leave {share} of its weight \
+             unsupported, because a sweep passes the load only from contact to contact{}.",
+            supported(progress, first).unwrap_or_default()
+        )
+    });
+    format!("{decision} Figure 1 shows {stack}.{left}")
+}
+
+/// What PGS needs to support nearly the whole weight.
+fn supported(progress: &Progress, first: &MethodProgress) -> Option<String> {
+    let mut marks = pgs(progress)?.marks.iter();
+    let mark = marks.find(|mark| mark.unsupported.is_some_and(|share| share < ENOUGH))?;
+    Some(format!(
+        "; it takes about {} sweeps, {} times the work of *{}*, until less than {}\u{a0}% is",
+        rough(mark.iteration as f64),
+        rough(mark.work / work(first)),
+        first.solver,
+        readable(100.0 * ENOUGH, 1)
+    ))
 }
 
 /// A stack in words: `4 boxes, the top one 100 times as heavy`.
@@ -115,26 +138,42 @@ fn default<'a>(choices: &[&'a Progress]) -> Option<(&'a str, f64)> {
     all.filter_map(|solver| Some((solver, multiple(solver)?))).min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// The default, and the cheapest solver of each kind of problem.
+/// The default, and why it is not the cheapest solver of some of the problems.
 fn decision(choices: &[&Progress]) -> Option<String> {
     let (solver, most) = default(choices)?;
     let kind = |progress: &Progress| match progress.problem.contains(", mass ratio ") {
         true => "stacks".to_string(),
         false => plain(&progress.problem).into(),
     };
-    let best =
-        |progress: &&Progress| Some((by_cost(progress).first()?.solver.clone(), kind(progress)));
-    let mut cheapest: Vec<_> = choices.iter().filter_map(best).collect();
-    cheapest.dedup();
-    let cheapest: Vec<_> =
-        cheapest.iter().map(|(solver, kind)| format!("*{solver}* for the {kind}")).collect();
+    let cost = |progress: &Progress, solver: &str| -> Option<f64> {
+        let own = progress.methods.iter().find(|own| own.solver == solver)?;
+        own.outcome.is_solved().then_some(10.0 * work(own) / budget(progress)?)
+    };
+    let cheapest = |progress: &&Progress| Some(by_cost(progress).first()?.solver.clone());
+    let rival = choices.iter().filter_map(cheapest).find(|own| own != solver);
+    let why_not = rival.and_then(|rival| {
+        let is_best = |progress: &&&Progress| cheapest(progress).as_ref() == Some(&rival);
+        let mut kinds: Vec<String> = choices.iter().filter(is_best).map(|own| kind(own)).collect();
+        kinds.dedup();
+        let costs = choices.iter().filter_map(|own| {
+            Some((cost(own, &rival)?, cost(own, solver)?, kind(own)))
+        });
+        let (high, low, worst) = costs.max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))?;
+        Some(format!(
+            " *{rival}* is cheaper for the {}, but for the {worst} it costs as much as {} sweeps of *pgs*, *{solver}* \
+             only {} (pivoting is counted with dense matrices).",
+            listed(&kinds),
+            rough(high),
+            rough(low)
+        ))
+    });
     Some(format!(
         "**Use *{solver}*: it solves all {} problems of Table 1, at no more than about {} times the cost of the \
-         cheapest solver.**{} Cheapest are {} (pivoting is counted with dense matrices).",
+         cheapest solver.**{}{}",
         choices.len(),
         rough(most),
         reason(solver),
-        listed(&cheapest)
+        why_not.unwrap_or_default()
     ))
 }
 
@@ -179,12 +218,12 @@ fn choice(choices: &[&Progress]) -> Table {
         };
         let mut cells = vec![Cell::text(plain(&progress.problem)), Cell::count(progress.rows)];
         cells.extend(shown.iter().map(cost));
-        cells.push(left(progress).map_or(Cell::default(), Cell::text));
+        cells.push(left(progress).map_or(Cell::text("–"), Cell::text));
         cells
     };
     let mut columns = vec![Column::words("problem"), Column::numbers("rows", "").wide()];
     columns.extend(shown.iter().map(|solver| Column::numbers(*solver, "")));
-    columns.push(Column::numbers("unsupported", "after 10 sweeps").wide());
+    columns.push(Column::numbers("unsupported", "after 10 sweeps"));
     Table {
         title: "Which solver for which problem".into(),
         how_to_read: "The cost of each solver in sweeps of *pgs*, of which engines typically take ten; pivoting methods are \
@@ -201,8 +240,9 @@ fn choice(choices: &[&Progress]) -> Table {
 fn costs(progress: &Progress, solved: &[&MethodProgress], default: Option<(&str, f64)>) -> Bars {
     let bar = |method: &&MethodProgress| Bar {
         name: method.solver.clone(),
-        accent: true,
+        accent: default.is_none_or(|(own, _)| own == method.solver),
         value: work(method),
+        amount: format!("{}×", rough(work(method) / work(solved[0]))),
         others: Vec::new(),
     };
     Bars {
@@ -210,7 +250,7 @@ fn costs(progress: &Progress, solved: &[&MethodProgress], default: Option<(&str,
         title: title(progress, solved, default.map_or("", |(solver, _)| solver)),
         caption: format!(
             "{} ({} rows): multiplications needed to reach a scaled residual of {} (leading term of the operation \
-             count), starting from x = 0. Ten sweeps of *pgs* per step are a typical budget in engines.{}",
+             count), starting from x = 0. Right: relative to the cheapest.{}",
             progress.problem,
             count(progress.rows),
             tolerance(progress.tolerance),
@@ -348,19 +388,21 @@ fn finding(progress: &Progress) -> String {
     }
 }
 
-/// The finding: the costs of the cheapest solver, the default and the most expensive one.
+/// The finding: the cost of the default, the cheapest solver or both, and the most expensive one.
 fn title(progress: &Progress, solved: &[&MethodProgress], default: &str) -> String {
     let Some(first) = solved.first() else { return format!("{}: costs", progress.problem) };
-    let is_shown = |k: usize| solved[k].solver == default || k + 1 == solved.len();
-    let others = (1..solved.len())
-        .filter(|k| is_shown(*k))
-        .map(|k| format!(", {} {} times", solved[k].solver, rough(work(solved[k]) / work(first))));
-    format!(
-        "{} needs {} multiplications{} as many",
-        first.solver,
-        readable(work(first), 3),
-        others.collect::<String>()
-    )
+    let times = |own: &MethodProgress| format!("{} times", rough(work(own) / work(first)));
+    let last = solved.last().filter(|own| own.solver != default && own.solver != first.solver);
+    let last = last.map_or(String::new(), |own| format!(", {} {}", own.solver, times(own)));
+    match solved[1..].iter().find(|own| own.solver == default) {
+        Some(own) => {
+            format!("{default} needs {} {}'s multiplications{last}", times(own), first.solver)
+        }
+        None => {
+            let least = readable(work(first), 3);
+            format!("{} needs {least} multiplications{last} as many", first.solver)
+        }
+    }
 }
 
 /// The cost of ten sweeps of PGS, a typical budget of an engine.

@@ -15,8 +15,8 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn show(runs: &[&LongRun], document: &mut ReportPage) {
     document.text(
         "Without friction the energy is constant, and so is the length of a rod. In a step the rod turns, so its \
-         impulse, computed for the old direction, does work. The energy error of every method grows with the number \
-         of periods; the order of the method decides how fast. Error feedback limits the error of the length: each \
+         impulse, computed for the old direction, does work. The energy error that results grows with the number \
+         of periods under every method; the order of the method decides how fast. Error feedback limits the error of the length: each \
          step adds $(v\\,dt)^2/2l$ and removes a fraction of the error, $\\beta$ at velocity level and $\\alpha\\,dt$ \
          at acceleration level ($\\alpha$ is the rate of feedback). The error settles where both are equal, at \
          $(v\\,dt)^2/(2 l \\beta)$, which is of *second* order in dt, or at $v^2 dt/(2 l \\alpha)$, of *first* order. \

@@ -6,13 +6,13 @@ use super::attempt::{listed, tolerance};
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::{count as number, readable};
 use crate::plot::profile::{Curve, Group as Line, Profiles};
-use crate::plot::{Axis, Figure};
+use crate::plot::{Axis, Bar, Bars, Figure};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::profiles::{
     Cost, FamilyAttempts, Plan, Profile, costs, of_all, profiles,
 };
 use crate::report::study::trial::{self, Attempt};
-use crate::solver::{Dantzig, Entry, Group, Registry};
+use crate::solver::{Dantzig, Entry, Group, Mprgp, Registry};
 
 const PROFILE: &str = r"
 A performance profile (Dolan & Moré 2002) compares the solvers problem by problem. Let $t_{ps}$ be the cost of solver s on
@@ -36,6 +36,7 @@ impl View for Plan {
              reports a solution and the judge accepts it.",
         );
         document.text(self.words(tried, &solvers));
+        document.figure(self.by_work(tried, &solvers));
         document.aside("What a performance profile is", PROFILE);
         document.table("profiles_cost", iteration_costs());
         document.table("profiles_solvers", self.by_solver(tried, &solvers));
@@ -50,8 +51,7 @@ impl View for Plan {
 
     fn headline(&self, tried: &[FamilyAttempts]) -> Headline {
         let solvers = solvers(tried);
-        let figure = (!solvers.is_empty())
-            .then(|| Box::new(self.by_work(tried, &solvers)) as Box<dyn Figure>);
+        let figure = self.solved(tried, &solvers).map(|bars| Box::new(bars) as Box<dyn Figure>);
         Headline { figure, result: self.result(tried), ..Headline::of(self.answer(tried)) }
     }
 
@@ -74,35 +74,78 @@ impl Plan {
         let last = self.tolerances.len().checked_sub(1)?;
         let (solvers, costs) = (solvers(tried), costs(tried, last));
         let (best, named) = best_of_all(&solvers, &costs)?;
-        let named: Vec<String> = named.iter().map(|solver| format!("*{solver}*")).collect();
-        let unsolved = costs.iter().filter(|row| !row.iter().any(is_solved)).count();
-        let others = match unsolved {
+        let of_contacts = |solver: &str| semidefinite(tried, solver, last);
+        let most = named.iter().map(|solver| of_contacts(solver).0).max()?;
+        let (advised, equal): (Vec<_>, Vec<_>) =
+            named.into_iter().partition(|solver| of_contacts(solver).0 == most);
+        let italic = |those: &[&str]| {
+            listed(&those.iter().map(|solver| format!("*{solver}*")).collect::<Vec<_>>())
+        };
+        let with = match equal[..] {
+            [] => String::new(),
+            _ => format!(" (with {})", italic(&equal)),
+        };
+        let others = match costs.iter().filter(|row| !row.iter().any(is_solved)).count() {
             0 => String::new(),
-            count => format!("; no solver solves {count} of them"),
+            count => format!("; no solver solves {count} problems"),
         };
-        let verb = if named.len() == 1 { "it solves" } else { "each solves" };
-        let of_contacts = solvers.iter().map(|solver| (solver, semidefinite(tried, solver, last)));
-        let of_contacts: Vec<(&String, (usize, usize))> = of_contacts.collect();
-        let most = of_contacts.iter().map(|(_, (solved, _))| *solved).max()?;
-        let all = of_contacts.iter().map(|(_, (_, all))| *all).max()?;
-        let (best_of_contacts, fewer): (Vec<_>, Vec<_>) =
-            of_contacts.iter().partition(|(_, (solved, _))| *solved == most);
-        let italic = |those: Vec<&(&String, (usize, usize))>| {
-            listed(&those.iter().map(|(solver, _)| format!("*{solver}*")).collect::<Vec<_>>())
-        };
-        // The shorter of two lists.
-        let these = match best_of_contacts.len() > fewer.len() && !fewer.is_empty() {
-            true => format!("all solvers but {}", italic(fewer)),
-            false => italic(best_of_contacts),
-        };
+        let (_, all) = of_contacts(advised[0]);
+        let sparse = solvers.iter().filter(|solver| *solver == Mprgp::NAME).map(|solver| {
+            let solved = of_contacts(solver).0;
+            format!(
+                " *{solver}*, which the standard report (`lcplab report`) recommends for contacts because its cost \
+                 remains small with large sparse A, solves {solved} of these {all}."
+            )
+        });
         Some(format!(
-            "**Use {}: {verb} {best} of the {} problems that have a solution, the most of {} solvers** (tolerance \
-             {}{others}). Of the {all} with symmetric semidefinite A, as contacts and joints have, {these} solve {most}.",
-            listed(&named).replace(" and ", " or "),
+            "**Use {}: {} {best} of the {} problems that have a solution, the most of {} solvers{with}, and {most} of \
+             the {all} with symmetric semidefinite A, as contacts and joints have** (tolerance {}{others}).{}",
+            italic(&advised).replace(" and ", " or "),
+            if advised.len() == 1 { "it solves" } else { "each solves" },
             costs.len(),
             solvers.len(),
             tolerance(self.tolerances[last]),
+            sparse.collect::<String>()
         ))
+    }
+
+    /// The number of problems that each solver solves at the last tolerance, the most first.
+    fn solved(&self, tried: &[FamilyAttempts], solvers: &[String]) -> Option<Bars> {
+        let last = self.tolerances.len().checked_sub(1)?;
+        let costs = costs(tried, last);
+        let (best, named) = best_of_all(solvers, &costs)?;
+        let bar = |(k, solver): (usize, &String)| {
+            let all = costs.iter().filter(|row| is_solved(&row[k])).count();
+            Bar {
+                name: solver.clone(),
+                accent: all == best,
+                value: semidefinite(tried, solver, last).0 as f64,
+                amount: all.to_string(),
+                others: vec![all as f64],
+            }
+        };
+        let mut bars: Vec<Bar> = solvers.iter().enumerate().map(bar).collect();
+        bars.sort_by(|a, b| b.others[0].total_cmp(&a.others[0]).then(b.value.total_cmp(&a.value)));
+        let least = bars.last()?;
+        Some(Bars {
+            id: "profiles_solved".into(),
+            title: format!(
+                "{} {} {best} of {} problems, {} {}",
+                listed(&named),
+                if named.len() == 1 { "solves" } else { "solve" },
+                costs.len(),
+                least.name,
+                least.amount
+            ),
+            caption: format!(
+                "The number of problems with a solution that each solver solves (tolerance {}). Dark: those with symmetric \
+                 semidefinite A, as contacts and joints have; pale: the others.",
+                tolerance(self.tolerances[last])
+            ),
+            x: Axis::linear("problems solved", ""),
+            bars,
+            limit: Some((costs.len() as f64, format!("all {}", costs.len()))),
+        })
     }
 
     /// The accepted answers, the most problems that a solver solves, and those solvers.

@@ -114,6 +114,7 @@ fn times() -> Bars {
         name: name.into(),
         accent: false,
         value,
+        amount: value.to_string(),
         others: Vec::new(),
     });
     let (title, caption) = ("Time a step".into(), "Shorter is better.".into());
