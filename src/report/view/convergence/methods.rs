@@ -93,11 +93,11 @@ fn supported(progress: &Progress, first: &MethodProgress) -> Option<String> {
     let mut marks = pgs(progress)?.marks.iter();
     let mark = marks.find(|mark| mark.unsupported.is_some_and(|share| share < ENOUGH))?;
     Some(format!(
-        "; it takes about {} sweeps, {} times the work of *{}*, until less than {}\u{a0}% is",
+        "; less than {}\u{a0}% takes about {} sweeps, {} times the work of *{}*",
+        readable(100.0 * ENOUGH, 1),
         rough(mark.iteration as f64),
         rough(mark.work / work(first)),
-        first.solver,
-        readable(100.0 * ENOUGH, 1)
+        first.solver
     ))
 }
 
@@ -216,19 +216,27 @@ fn choice(choices: &[&Progress]) -> Table {
             })
             .marked(mark)
         };
-        let mut cells = vec![Cell::text(plain(&progress.problem)), Cell::count(progress.rows)];
+        let mut cells = vec![
+            Cell::text(plain(&progress.problem).replace(", mass ratio ", ", ratio ")),
+            Cell::count(progress.rows),
+        ];
         cells.extend(shown.iter().map(cost));
         cells.push(left(progress).map_or(Cell::text("–"), Cell::text));
         cells
     };
     let mut columns = vec![Column::words("problem"), Column::numbers("rows", "").wide()];
-    columns.extend(shown.iter().map(|solver| Column::numbers(*solver, "")));
-    columns.push(Column::numbers("unsupported", "after 10 sweeps"));
+    let advised = default(choices).map(|(solver, _)| solver);
+    columns.extend(shown.iter().map(|solver| Column {
+        wide: *solver != Pgs::NAME && Some(*solver) != advised,
+        ..Column::numbers(*solver, "")
+    }));
+    columns.push(Column::numbers("unsupported", ""));
     Table {
         title: "Which solver for which problem".into(),
         how_to_read: "The cost of each solver in sweeps of *pgs*, of which engines typically take ten; pivoting methods are \
                       counted with dense matrices. ✓: the cheapest of all; –: not within the tolerance after the maximum \
-                      number of iterations, or without a weight to support. *mass ratio*: the top box to each of the others."
+                      number of iterations, or without a weight to support. *ratio*: the mass of the top box to that of each of the others. *unsupported*: the \
+                      weight after ten sweeps."
             .into(),
         columns,
         rows: choices.iter().map(row).collect(),
