@@ -217,7 +217,7 @@ fn choice(choices: &[&Progress]) -> Table {
             .marked(mark)
         };
         let mut cells = vec![
-            Cell::text(plain(&progress.problem).replace(", mass ratio ", ", ratio ")),
+            Cell::text(plain(&progress.problem).replace(", mass ratio ", ", 1:")),
             Cell::count(progress.rows),
         ];
         cells.extend(shown.iter().map(cost));
@@ -235,7 +235,7 @@ fn choice(choices: &[&Progress]) -> Table {
         title: "Which solver for which problem".into(),
         how_to_read: "The cost of each solver in sweeps of *pgs*, of which engines typically take ten; pivoting methods are \
                       counted with dense matrices. ✓: the cheapest of all; –: not within the tolerance after the maximum \
-                      number of iterations, or without a weight to support. *ratio*: the mass of the top box to that of each of the others. *unsupported*: the \
+                      number of iterations, or without a weight to support. *1:r*: the top box has r times the mass of each of the others. *unsupported*: the \
                       weight after ten sweeps."
             .into(),
         columns,
