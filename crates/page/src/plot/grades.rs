@@ -21,7 +21,7 @@ const BETWEEN: f64 = 18.0;
 const SMALL: f64 = 12.5;
 /// The deviation above which a cell has a color, palest first, and its name.
 const SHADES: [(f64, (u8, u8, u8), &str); 5] = [
-    (0.0, (214, 234, 226), "obeyed"),
+    (0.0, (214, 234, 226), "within tolerance"),
     (0.0, (253, 224, 180), "up to 10 ×"),
     (10.0, (247, 176, 112), "up to 100 ×"),
     (100.0, (200, 76, 48), "up to 10,000 ×"),
@@ -44,6 +44,8 @@ pub struct Grades {
     pub rows: Vec<(String, Vec<Grade>)>,
     /// The section of the page that each row leads to, and the tip on its name; may be empty.
     pub links: Vec<(String, String)>,
+    /// Whether a row of the numbers of obeyed laws is below the names of the columns.
+    pub has_counts: bool,
 }
 
 /// A cell.
@@ -191,7 +193,13 @@ impl Grades {
     /// The height of the names above cells of this width in px; those of columns are turned if they
     /// are wider than a cell.
     fn head(&self, cell: f64) -> f64 {
-        GROUP + if self.longest() <= cell { ROW - 7.0 } else { self.longest() }
+        let names = if self.longest() <= cell { ROW - 7.0 } else { self.longest() };
+        GROUP + names + self.counts()
+    }
+
+    /// The height of the row of counts in px.
+    fn counts(&self) -> f64 {
+        if self.has_counts { ROW } else { 0.0 }
     }
 
     /// Draws some groups side by side, from this height (px) on.
@@ -204,13 +212,13 @@ impl Grades {
     ) {
         let before: usize = self.groups[..groups.start].iter().map(|(_, own)| own.len()).sum();
         let (left, width) = (self.left(), self.cell(&groups, wide));
-        let is_turned = head >= GROUP + self.longest();
+        let is_turned = head >= GROUP + self.longest() + self.counts();
         let mut places = Vec::new();
         let mut x = left;
         for (group, names) in &self.groups[groups] {
             canvas.text((x, top + 12.0), Anchor::Start, TEXT, INK, group);
             for name in names {
-                let (middle, foot) = (x + width / 2.0, top + head - 7.0);
+                let (middle, foot) = (x + width / 2.0, top + head - 7.0 - self.counts());
                 if is_turned {
                     let base = middle + 4.5;
                     canvas.raw(&format!("<g transform=\"rotate(-90 {base:.1} {foot:.1})\">"));
@@ -219,10 +227,18 @@ impl Grades {
                 } else {
                     canvas.text((middle, foot), Anchor::Middle, TEXT, FAINT_INK, name);
                 }
+                if self.has_counts {
+                    let own = self.rows.iter().map(|(_, cells)| cells[before + places.len()]);
+                    let obeyed = own.filter(|own| *own == Grade::Obeyed).count().to_string();
+                    canvas.text((middle, foot + ROW), Anchor::Middle, TEXT, INK, &obeyed);
+                }
                 places.push(x);
                 x += width;
             }
             x += GAP;
+        }
+        if self.has_counts {
+            canvas.text((left - 8.0, top + head - 7.0), Anchor::End, TEXT, INK, "laws obeyed");
         }
         for (k, (name, cells)) in self.rows.iter().enumerate() {
             let y = top + head + ROW * k as f64;

@@ -13,6 +13,7 @@ fn matrix() -> Grades {
         groups: vec![group("as installed"), group("accurate")],
         rows: vec![("free fall".into(), cells)],
         links: Vec::new(),
+        has_counts: false,
     }
 }
 

@@ -14,17 +14,23 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
             |own: &Comparison| own.best_run(scheme).map_or(Grade::Unknown, |run| grade(own, run));
         scenes().map(of).collect()
     };
-    let within = |grade: fn(&Comparison, &Run) -> Grade| {
-        let all = schemes.iter().flat_map(|&scheme| grades(grade, scheme));
-        let judged: Vec<Grade> = all.filter(|grade| *grade != Grade::Unknown).collect();
-        let obeyed = judged.iter().filter(|grade| **grade == Grade::Obeyed).count();
-        format!("{obeyed} of {} runs", judged.len())
-    };
     let names = || scenes().map(|own| own.scene.replace('_', " ")).collect();
     let row = |&scheme: &Scheme| {
         (scheme.name().to_string(), [grades(closure, scheme), grades(energy, scheme)].concat())
     };
-    let rows: Vec<(String, Vec<Grade>)> = schemes.iter().map(row).collect();
+    let kept = kept(findings, schemes);
+    let broken = schemes.iter().filter(|scheme| !kept.contains(scheme));
+    let rows: Vec<(String, Vec<Grade>)> = kept.iter().chain(broken).map(row).collect();
+    let title = match &kept[..] {
+        [] => "No scheme keeps all gaps and joints".into(),
+        [only] => format!("Only {} keeps all gaps and joints", only.name()),
+        [best, ..] => format!(
+            "{} of {} schemes keep all gaps and joints; of them {} has the smallest error of the energy",
+            kept.len(),
+            schemes.len(),
+            best.name()
+        ),
+    };
     let has = |wanted: Grade| rows.iter().any(|(_, cells)| cells.contains(&wanted));
     let marks = [
         (
@@ -45,13 +51,9 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
     };
     Grades {
         id: "comparison_matrix".into(),
-        title: format!(
-            "Gaps and joints stay within tolerance in {}, the energy in {}",
-            within(closure),
-            within(energy)
-        ),
+        title,
         caption: format!(
-            "A number is the largest error in multiples of its tolerance: {} % of the thinnest body for gaps and joints; \
+            "The schemes that keep all gaps and joints are on top. A number is the largest error in multiples of its tolerance: {} % of the thinnest body for gaps and joints; \
              1 % of the largest kinetic energy for energy that is gained, or lost other than by friction, impacts and \
              motors.{}{others}",
             100.0 * HELD,
@@ -60,27 +62,57 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
         groups: vec![("gaps and joints".into(), names()), ("energy".into(), names())],
         rows,
         links: Vec::new(),
+        has_counts: false,
     }
 }
 
-/// The error of gaps and joints of a run.
-pub fn closure(comparison: &Comparison, run: &Run) -> Grade {
-    let error = run.worst(|sample| sample.drift.max(sample.penetration));
+/// The schemes that keep gaps and joints within tolerance in every scene that begins so, the one
+/// with the smallest error of the energy first.
+pub fn kept(findings: &[Comparison], schemes: &[Scheme]) -> Vec<Scheme> {
+    let energy = |scheme: &Scheme| worst(findings, *scheme, |_, run| excess(run)).0;
+    let is_kept = |scheme: &&Scheme| worst(findings, **scheme, error).0 <= 1.0;
+    let mut kept: Vec<Scheme> = schemes.iter().filter(is_kept).copied().collect();
+    kept.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
+    kept
+}
+
+/// The largest error of a scheme in the scenes that begin within tolerance, and its scene; infinite
+/// without a run.
+pub fn worst(
+    findings: &[Comparison],
+    scheme: Scheme,
+    error: fn(&Comparison, &Run) -> f64,
+) -> (f64, &str) {
+    let scenes = findings.iter().filter(|own| own.starts_within_tolerance());
+    let errors = scenes.map(|own| {
+        let run = own.best_run(scheme);
+        (run.map_or(f64::INFINITY, |run| error(own, run)), own.scene.as_str())
+    });
+    errors.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, ""))
+}
+
+/// The largest error of gaps and joints of a run relative to its tolerance; infinite if it ended
+/// early or a body passed through another one.
+pub fn error(comparison: &Comparison, run: &Run) -> f64 {
     match run.steps < comparison.steps || run.laws.passages > 0 {
-        true => Grade::Missed(f64::INFINITY),
-        false => relative(error, HELD * comparison.thinnest),
+        true => f64::INFINITY,
+        false => {
+            let error = run.worst(|sample| sample.drift.max(sample.penetration));
+            error / (HELD * comparison.thinnest)
+        }
     }
+}
+
+fn closure(comparison: &Comparison, run: &Run) -> Grade {
+    graded(error(comparison, run))
 }
 
 /// The error of the energy of a run.
-pub fn energy(comparison: &Comparison, run: &Run) -> Grade {
+fn energy(comparison: &Comparison, run: &Run) -> Grade {
     match run.laws.energy {
         _ if run.steps < comparison.steps => Grade::Missed(f64::INFINITY),
         Energy::Changes => Grade::Unknown,
-        _ => match excess(run) {
-            error if error <= 1.0 => Grade::Obeyed,
-            error => Grade::Missed(error),
-        },
+        _ => graded(excess(run)),
     }
 }
 
@@ -89,9 +121,9 @@ pub fn excess(run: &Run) -> f64 {
     run.laws.energy_error.abs() / run.laws.energy_tolerance
 }
 
-fn relative(error: f64, tolerance: f64) -> Grade {
-    match error <= tolerance {
+fn graded(error: f64) -> Grade {
+    match error <= 1.0 {
         true => Grade::Obeyed,
-        false => Grade::Missed(error / tolerance),
+        false => Grade::Missed(error),
     }
 }

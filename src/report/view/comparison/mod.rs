@@ -10,7 +10,6 @@ use super::attempt::{listed, stem};
 use super::{Headline, Outcome, ReportPage, View};
 use crate::animation::Animation;
 use crate::number::{count, counted, readable};
-use crate::plot::grades::Grade;
 use crate::plot::{Axis, Figure, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{
@@ -33,8 +32,12 @@ impl View for Plan {
         );
         let rejected = runs().map(|run| run.tally.rejected_claims).sum::<usize>();
         let none = if rejected == 0 { "none".into() } else { count(rejected) };
+        let unanswered = match solves - claimed {
+            0 => String::new(),
+            left => format!(" ({} left unanswered{})", count(left), self.given_up(findings)),
+        };
         document.text(format!(
-            "**The judge rejects {none} of the {} answers that the solvers report as solutions**, to {} problems. Each \
+            "**The judge rejects {none} of the {} answers that the solvers report as solutions**, to {} problems{unanswered}. Each \
              solver of the comparison simulates each scene with {}. Every solve starts from the answer of the previous step.",
             count(claimed),
             count(solves),
@@ -66,16 +69,9 @@ impl View for Plan {
         };
         let claimed = sum(|run| run.tally.claimed);
         let confirmed = claimed - sum(|run| run.tally.rejected_claims);
-        let given_up = sum(|run| run.tally.solves) - claimed;
-        let without = match given_up {
-            0 => String::new(),
-            _ => {
-                format!("; {} problems left unanswered{}", count(given_up), self.given_up(findings))
-            }
-        };
         let result = Some([
             format!("{} of {}", count(confirmed), count(claimed)),
-            format!("answers accepted by an independent judge{without}"),
+            "answers accepted by an independent judge".into(),
         ]);
         let answer = self.held(findings);
         let figure = answer
@@ -106,20 +102,12 @@ impl View for Plan {
 
 impl Plan {
     /// Of more schemes than the two levels: which keep gaps and joints within tolerance in every
-    /// scene that starts so, and in which of these no scheme keeps the energy.
+    /// scene that starts so, and which of these has the smallest error of the energy.
     fn held(&self, findings: &[Comparison]) -> Option<String> {
         let scenes: Vec<_> = findings.iter().filter(|own| own.starts_within_tolerance()).collect();
         if self.schemes.len() <= Scheme::LEVELS.len() || scenes.is_empty() {
             return None;
         }
-        let obeys = |grade: fn(&Comparison, &Run) -> Grade, own: &Comparison, scheme: Scheme| {
-            own.best_run(scheme).is_some_and(|run| grade(own, run) == Grade::Obeyed)
-        };
-        let kept = self
-            .schemes
-            .iter()
-            .filter(|scheme| scenes.iter().all(|own| obeys(matrix::closure, own, **scheme)));
-        let kept: Vec<Scheme> = kept.copied().collect();
         let title = |scheme: &Scheme| format!("*{}*", scheme.name());
         let all = listed(&scenes.iter().map(|own| own.scene.replace('_', " ")).collect::<Vec<_>>());
         let mut steps: Vec<_> = scenes.iter().map(|own| readable(own.dt, 3)).collect();
@@ -129,37 +117,48 @@ impl Plan {
             readable(100.0 * HELD, 2),
             listed(&steps)
         );
-        let energy = |scheme: &&Scheme| {
-            let runs = scenes.iter().filter_map(|own| Some((*own, own.best_run(**scheme)?)));
-            let errors = runs.map(|(own, run)| (matrix::excess(run), own.scene.as_str()));
-            errors.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::NAN, ""))
+        let schemes = counted(self.schemes.len(), "time-stepping scheme");
+        let kept = matrix::kept(findings, &self.schemes);
+        let Some((best, also)) = kept.split_first() else {
+            return Some(format!("**None of {schemes} keeps {held}.**"));
         };
-        let Some(best) = kept.iter().min_by(|a, b| energy(a).0.total_cmp(&energy(b).0)) else {
-            return Some(format!("**No scheme keeps {held}.**"));
-        };
-        let mut says = format!("**Use {}: it keeps {held}.**", title(best));
-        let also: Vec<String> = kept.iter().filter(|own| *own != best).map(title).collect();
-        if !also.is_empty() {
-            let (error, scene) = energy(&best);
+        let mut says = format!("**Of {schemes} use {}: it keeps {held}.**", title(best));
+        let energy =
+            |scheme: &Scheme| matrix::worst(findings, *scheme, |_, run| matrix::excess(run));
+        let gap = |scheme: &Scheme| matrix::worst(findings, *scheme, matrix::error).0;
+        let (error, scene) = energy(best);
+        if let (Some(second), Some(last)) = (also.first(), also.last()) {
+            let widest = also.iter().map(gap).fold(0.0, f64::max);
             says += &format!(
-                " So do {}, but with larger errors of the energy; its own is {} times the tolerance ({}).",
-                listed(&also),
+                " So do {}, but their largest error of the energy is {} to {} times its tolerance, that of {} {} ({}). \
+                 Errors of gaps and joints reach {} % of their tolerance with {}, at most {} % with the other{}.",
+                listed(&also.iter().map(title).collect::<Vec<_>>()),
+                readable(energy(second).0, 2),
+                readable(energy(last).0, 2),
+                title(best),
                 readable(error, 2),
-                scene.replace('_', " ")
+                scene.replace('_', " "),
+                readable(100.0 * gap(best), 2),
+                title(best),
+                readable(100.0 * widest, 2),
+                if also.len() > 1 { "s" } else { "" },
             );
         }
-        let others = findings.iter().filter(|own| !own.starts_within_tolerance());
-        for own in others {
+        for own in findings.iter().filter(|own| !own.starts_within_tolerance()) {
             let added = |scheme: &Scheme| own.best_run(*scheme).map(Run::energy_change);
             let most = kept.iter().filter_map(|scheme| Some((added(scheme)?, scheme)));
             let most = most.max_by(|a, b| a.0.total_cmp(&b.0));
             if let Some(((most, worst), added)) =
                 most.zip(added(best)).filter(|((most, _), own)| most > own)
             {
+                let all = own.runs.iter().map(Run::energy_change);
+                let is_least = all.fold(f64::INFINITY, f64::min) >= added;
                 says += &format!(
-                    " Where bodies start inside each other ({}) it adds {} J, {} {} J.",
+                    " Where bodies start inside each other ({}), {} adds {} J{}; {} adds {} J.",
                     own.scene.replace('_', " "),
+                    title(best),
                     readable(added, 2),
+                    if is_least { ", the least of all schemes" } else { "" },
                     title(worst),
                     readable(most, 2)
                 );
@@ -189,7 +188,7 @@ impl Plan {
             }
         }
         match &ways[..] {
-            [(way, reason)] if !reason.is_empty() => format!(", all by {way}, {reason}"),
+            [(way, reason)] if !reason.is_empty() => format!(" by *{way}*, {reason}"),
             _ => format!(": {}", ways.iter().map(|(way, _)| *way).collect::<Vec<_>>().join(", ")),
         }
     }
