@@ -35,20 +35,44 @@ pub fn of(record: &Record) -> String {
         1 => "one obeys".into(),
         count => format!("{count} obey"),
     };
-    let best = |settings: &str| {
-        let best = others().max_by_key(|engine| held(engine, settings));
-        best.map_or(String::new(), |best| {
-            let supported = runs(best, settings).len();
-            format!("{}, {} of the {supported} that it supports", best.title, held(best, settings))
-        })
+    let best = |ways: Vec<(&Engine, &str)>| {
+        let (engine, settings) = ways.into_iter().max_by_key(|(own, way)| held(own, way))?;
+        let name = if engine.name == OWN { format!("*{settings}*") } else { engine.title.clone() };
+        let supported = match runs(engine, settings).len() {
+            all if all == laws => all.to_string(),
+            some => format!("the {some} that it supports"),
+        };
+        Some(format!("{name}, {} of {supported}", held(engine, settings)))
+    };
+    let with = |settings| best(others().map(|own| (own, settings)).collect()).unwrap_or_default();
+    let own = record.engines.iter().filter(|engine| engine.name == OWN);
+    let own = own.flat_map(|own| own.settings.iter().map(move |way| (own, way.name.as_str())));
+    let own =
+        best(own.collect()).map_or(String::new(), |own| format!("; of lcplab's schemes {own}"));
+    let served = |settings: &str| {
+        USES.iter().filter(|(_, names)| !obeying(record, names, settings).is_empty()).count()
     };
     format!(
-        "**Of {} physics engines {faultless} all {laws} laws of mechanics**, each tested in its own scene. As installed, \
-         the engine that obeys most laws is {}; with accurate settings it is {}.",
+        "**Of {} physics engines {faultless} all {laws} laws of mechanics.** As installed, the engine that obeys most is \
+         {}; with accurate settings {}{own}. **Choose by use (Table 1)**: as installed, an engine obeys all laws that \
+         matter for {} of {} uses, with accurate settings for {}.",
         others().count(),
-        best(DEFAULTS),
-        best(ACCURATE)
+        with(DEFAULTS),
+        with(ACCURATE),
+        served(DEFAULTS),
+        USES.len(),
+        served(ACCURATE)
     )
+}
+
+/// The engines that obey all of these laws with these settings.
+fn obeying<'a>(record: &'a Record, names: &[&str], settings: &str) -> Vec<&'a str> {
+    let laws = || record.phenomena.iter().filter(|own| names.contains(&own.name.as_str()));
+    let obeys = |engine: &&Engine| {
+        laws().all(|own| column(own, &engine.name, settings).is_some_and(Column::holds))
+    };
+    let others = record.engines.iter().filter(|engine| engine.name != OWN);
+    others.filter(obeys).map(|engine| engine.title.as_str()).collect()
 }
 
 /// The engines that obey all laws that a use requires.
@@ -65,24 +89,18 @@ pub fn uses(record: &Record) -> Table {
 fn row(record: &Record, what: &str, names: &[&str]) -> Vec<Cell> {
     let rests_on: Vec<&Phenomenon> =
         record.phenomena.iter().filter(|own| names.contains(&own.name.as_str())).collect();
-    let obeying = |settings: &str| {
-        let others = record.engines.iter().filter(|engine| engine.name != OWN);
-        let obey = others.filter(|engine| {
-            rests_on
-                .iter()
-                .all(|own| column(own, &engine.name, settings).is_some_and(Column::holds))
-        });
-        let titles: Vec<&str> = obey.map(|engine| engine.title.as_str()).collect();
-        Cell::text(if titles.is_empty() { "none".into() } else { titles.join(", ") })
+    let engines = |settings: &str| match &obeying(record, names, settings)[..] {
+        [] => Cell::text("none"),
+        titles => Cell::text(titles.join(", ")),
     };
-    let names = rests_on.iter().map(|own| words(&own.name)).collect::<Vec<_>>().join(", ");
+    let plain = rests_on.iter().map(|own| words(&own.name)).collect::<Vec<_>>().join(", ");
     let links = rests_on.iter().map(|own| format!("[{}](#{})", words(&own.name), section(own)));
     let markup = links.collect::<Vec<_>>().join(", ");
     vec![
         Cell::text(what),
-        Cell { markup, ..Cell::text(names) },
-        obeying(DEFAULTS),
-        obeying(ACCURATE),
+        Cell { markup, ..Cell::text(plain) },
+        engines(DEFAULTS),
+        engines(ACCURATE),
     ]
 }
 

@@ -14,6 +14,8 @@ use crate::report::study::cards::{self, Engine, Phenomenon, Plan, Record};
 /// The two configurations in which external engines are run.
 const DEFAULTS: &str = "defaults";
 const ACCURATE: &str = "accurate";
+/// The phenomenon whose measure ends where the ball is through the wall.
+const ENDING: &str = "bullet";
 /// The engine whose configurations are schemes.
 const OWN: &str = "lcplab";
 /// The known violations or failures of lcplab's own schemes; any other violation is a fault.
@@ -59,11 +61,12 @@ impl View for Plan {
 
     fn show(&self, findings: &[Record], document: &mut ReportPage) {
         for record in findings {
-            document.text(
-                "To rerun a law on an installed engine: `python -m lcplab.cards --engine mujoco --phenomenon creep`. \
-                 In the figures below the pale line is the law; the others are the engines that visibly break it as \
-                 installed, each with the time step of its settings.",
-            );
+            document.text(format!(
+                "Tested: {}. To rerun a law on an installed engine: `python -m lcplab.cards --engine mujoco --phenomenon \
+                 creep`. In the figures below the pale line is the law; the others are the engines that visibly break it \
+                 as installed, each with the time step of its settings.",
+                releases(record)
+            ));
             let asked = record.phenomena.iter();
             let asked =
                 asked.map(|own| format!("**{}**: {}", own.name.replace('_', " "), own.question));
@@ -90,9 +93,10 @@ impl View for Plan {
         let runs = || record.phenomena.iter().flat_map(|own| &own.columns);
         let measured = || runs().flat_map(|column| &column.measured);
         let agree = measured().filter(|own| !own.is_misjudged()).count();
+        let tests = runs().filter(|column| !column.measured.is_empty()).count();
         let result = Some([
             format!("{} of {}", count(agree), count(measured().count())),
-            "verdicts agree with the recorded numbers".into(),
+            format!("numbers measured in {tests} tests agree with the recorded verdicts"),
         ]);
         Headline { result, figure: Some(figure), table, ..Headline::of(Some(answer::of(record))) }
     }
@@ -172,10 +176,11 @@ fn heat(record: &Record) -> Grades {
         title: format!("As installed, the engines obey the law in {held} of {all} tests"),
         caption: format!(
             "The name of a row leads to its law. A number is the largest violation in multiples of the tolerance, with k \
-             for thousands; ✗: the run failed; –: the engine or its adapter does not support the scene. Releases: {}.",
-            releases(record)
+             for thousands; ✗: the run failed; –: the engine or its adapter does not support the scene.{}",
+            extremes(record)
         ),
         rows: record.phenomena.iter().map(row).collect(),
+        has_counts: true,
         links: record
             .phenomena
             .iter()
@@ -188,6 +193,38 @@ fn heat(record: &Record) -> Grades {
             })
             .collect(),
     }
+}
+
+/// The end of the scale of [`ENDING`], and the largest violation with accurate settings.
+fn extremes(record: &Record) -> String {
+    let runs = |own: &'_ Phenomenon, settings: &str| -> Vec<(String, cards::Measured)> {
+        let runs = own.columns.iter().filter(|run| run.engine != OWN && run.settings == settings);
+        let worst =
+            runs.filter_map(|run| Some((record.title(&run.engine).into(), run.worst()?.clone())));
+        worst.collect()
+    };
+    let size = |a: &(String, cards::Measured), b: &(String, cards::Measured)| {
+        a.1.miss().total_cmp(&b.1.miss())
+    };
+    let ending = record.phenomena.iter().find(|own| own.name == ENDING);
+    let ending = ending.and_then(|own| runs(own, DEFAULTS).into_iter().max_by(size));
+    let ending = ending.map_or(String::new(), |(_, worst)| {
+        format!(" *{ENDING}*, {}: the ball went through the wall.", readable(worst.miss(), 2))
+    });
+    let accurate = record
+        .phenomena
+        .iter()
+        .flat_map(|own| runs(own, ACCURATE).into_iter().map(move |run| (own, run)));
+    let largest = accurate.max_by(|a, b| size(&a.1, &b.1));
+    let largest = largest.map_or(String::new(), |(own, (engine, worst))| {
+        format!(
+            " The largest with accurate settings: *{}* in {engine}, {} {}.",
+            own.name.replace('_', " "),
+            worst.what,
+            answer::found(&worst)
+        )
+    });
+    ending + &largest
 }
 
 /// The tested releases of the external engines.
