@@ -154,7 +154,7 @@ impl Collect {
             "{done} of {} tasks collected, {} impossible, {} false claims\n{}\n",
             done + missing,
             collection.impossible(),
-            collection.rejected(),
+            collection.sum("rejected"),
             folder.path().join("index.html").display(),
         ))?;
         if missing > 0 {
@@ -163,7 +163,7 @@ impl Collect {
             let more = if missing > 20 { ", …" } else { "" };
             say(&format!("error: {missing} tasks have no results: {numbers}{more}"));
         }
-        let good = missing == 0 && collection.rejected() == 0;
+        let good = missing == 0 && collection.sum("rejected") == 0;
         Ok(if good { Outcome::Good } else { Outcome::Rejected })
     }
 }

@@ -24,10 +24,10 @@ pub struct Collection {
 }
 
 impl Collection {
-    /// The number of solvers' claims that the judge rejects.
-    pub(crate) fn rejected(&self) -> usize {
-        let rejected = |record: &Record| record.finding.as_ref()?.get("rejected");
-        self.done.iter().filter_map(|(_, record)| rejected(record)).sum::<f64>() as usize
+    /// The sum of a measure that counts, as `rejected`: the claims that the judge rejects.
+    pub(crate) fn sum(&self, measure: &str) -> usize {
+        let value = |record: &Record| record.finding.as_ref()?.get(measure);
+        self.done.iter().filter_map(|(_, record)| value(record)).sum::<f64>() as usize
     }
 
     /// The points with their results.

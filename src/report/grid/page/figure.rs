@@ -225,8 +225,13 @@ fn least(grid: &Grid, curves: &Curves<'_>, measure: &Measure, series: &[Series])
     };
     let to = if rises || falls { "to" } else { "and" };
     let place = |(x, name): &(f64, String)| format!("{} ({name})", readable(*x, 3));
-    let who = if measure.is_rate() { what } else { format!("{across} with the {what}") };
-    Some(format!("the {who} {moves} {} {to} {}", place(first), place(last)))
+    let is_exact = curves.curves.iter().any(|curve| fine(curves, curve, measure).is_some());
+    let who = match measure.is_rate() {
+        true if is_exact => format!("in theory the {what}"),
+        true => format!("the {what}"),
+        false => format!("the {across} with the {what}"),
+    };
+    Some(format!("{who} {moves} {} {to} {}", place(first), place(last)))
 }
 
 /// How the last value compares with the first one: on the curve of the largest ratio and on that of

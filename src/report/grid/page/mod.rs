@@ -69,32 +69,30 @@ fn tiles(plan: &Plan, collection: &Collection) -> Vec<Tile> {
     claimed.dedup();
     let label = match claimed[..] {
         [(measure, slack)] => {
-            format!("{measure}s agree with the closed form to {}", readable(slack, 1))
+            format!("computed {measure}s agree with the closed form to {}", readable(slack, 1))
         }
         _ => "numbers agree with the closed form".into(),
     };
     let held = claims.iter().filter(|held| **held).count();
     let theory = (!claims.is_empty()).then(|| tile(held, claims.len(), &label));
-    let measured = collection.done.len() - collection.impossible();
-    let rejected = collection.rejected();
-    let judged = Tile {
-        value: count(rejected),
-        label: "false claims of solvers, according to the judge".into(),
-        section: RESULTS.into(),
-        good: rejected == 0,
-    };
-    [tile(measured, plan.tasks.len(), "points of the grid measured")]
-        .into_iter()
-        .chain(theory)
-        .chain([judged])
-        .collect()
+    let (measured, all) = (collection.done.len() - collection.impossible(), plan.tasks.len());
+    let part = (measured < all).then(|| tile(measured, all, "points of the grid measured"));
+    let claimed = collection.sum("claimed");
+    let accepted = claimed - collection.sum("rejected");
+    let judged =
+        tile(accepted, claimed, "answers that solvers claim as solutions, accepted by the judge");
+    part.into_iter().chain([judged]).chain(theory).collect()
 }
 
-/// The best positions, if a closed form has one, and the text of the file.
+/// The text of the file, and after its first paragraph the best positions, if a closed form has one.
 pub fn text(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> String {
     let best = Curves::of(grid, plan, points).and_then(|curves| tables::best(&curves));
-    let text = grid.text.trim().to_string();
-    best.map_or(text.clone(), |best| format!("**{best}** {text}"))
+    let text = grid.text.trim();
+    match (best, text.split_once("\n\n")) {
+        (Some(best), Some((first, rest))) => format!("{first} {best} {rest}"),
+        (Some(best), None) => format!("{best} {text}"),
+        (None, _) => text.into(),
+    }
 }
 
 /// Adds figures and tables of these points to the current section; the names of their files begin

@@ -237,7 +237,7 @@ fn the_first_screen_states_the_finding_and_a_long_table_of_points_is_collapsed()
         let (_, [_, _, page]) = collected(&grid, &Folder::new(path.path(), &grid).unwrap());
         let top = page.split("data (CSV)").next().unwrap(); // to the end of the first figure
         assert!(top.contains("From dt 0.01 to 0.02 the drift of "), "{steps}");
-        assert!(top.contains("points of the grid measured"), "{steps}");
+        assert!(top.contains("accepted by the judge"), "{steps}");
         let (before, _) = page.split_once("Results at each point.").unwrap();
         assert_eq!(before.contains("<details class=\"part\""), collapsed, "{steps}");
     }
