@@ -18,15 +18,19 @@ impl View for Plan {
     }
 
     fn headline(&self, findings: &[Record]) -> Headline {
-        Headline::of(
-            findings
-                .first()
-                .map(|record| format!(
-                    "A *receipt* is lcplab's verification report of one step of an engine. **Receipts detect known \
-                     defects**: {}.",
-                    says(record)
-                )),
-        )
+        let Some(record) = findings.first() else { return Headline::default() };
+        let [rejected, compared, accepted, all] = counts(record);
+        let others = match compared {
+            0 => String::new(),
+            _ => format!(", {compared} more only in comparison with the corrected release"),
+        };
+        let answer = format!(
+            "A *receipt* is lcplab's verification report of one step of an engine. **Receipts reject {rejected} of {all} \
+             releases with known defects**{others}."
+        );
+        let label = "corrected releases accepted".into();
+        let result = Some([format!("{accepted} of {all}"), label]);
+        Headline { result, ..Headline::of(Some(answer)) }
     }
 
     fn outcome(&self, findings: &[Record]) -> Outcome {
@@ -38,16 +42,21 @@ impl View for Plan {
 }
 
 fn says(record: &Record) -> String {
+    let [rejected, compared, accepted, all] = counts(record);
+    format!(
+        "{rejected} of {all} defective releases rejected at the right stage, {compared} more only in \
+         comparison with a run of the corrected release; {accepted} of {all} corrected releases accepted"
+    )
+}
+
+/// The defective releases that are rejected, and those that only a comparison detects; the accepted
+/// corrected ones; all.
+fn counts(record: &Record) -> [usize; 4] {
     let all = &record.defects;
     let of = |has: fn(&Defect) -> bool| all.iter().filter(|defect| has(defect)).count();
     let rejected = of(|defect| defect.outcome == "detected");
-    let compared = of(Defect::is_detected) - rejected;
-    let good = of(|defect| defect.mended.refused == 0 && defect.mended.unavailable.is_none());
-    format!(
-        "{rejected} of {n} defective releases rejected at the right stage, {compared} more only in \
-         comparison with a run of the corrected release; {good} of {n} corrected releases accepted",
-        n = all.len()
-    )
+    let accepted = of(|defect| defect.mended.refused == 0 && defect.mended.unavailable.is_none());
+    [rejected, of(Defect::is_detected) - rejected, accepted, all.len()]
 }
 
 fn table(defects: &[Defect]) -> Table {
