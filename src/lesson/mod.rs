@@ -140,7 +140,7 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
     Ok(out)
 }
 
-/// The errata that lead to a wrong result, as a table: each with its section, place and correction.
+/// The errata that lead to a wrong result, as a table: each with its section, fault and correction.
 fn wrong(program: &Program) -> String {
     let errata = exhibit::all().iter().filter(|own| own.severity == Severity::Wrong);
     let row = |own: &Exhibit| {
@@ -153,10 +153,11 @@ fn wrong(program: &Program) -> String {
             _ => part.replace('|', "\\vert{}"),
         });
         let correct = correct.collect::<Vec<_>>().join("$");
-        Some(format!("| [{}](#part-{section}) | {} | {correct} |\n", own.id, literal(&own.place)))
+        let [place, title] = [&own.place, &own.title].map(|text| literal(text));
+        Some(format!("| [{}](#part-{section}) | {title} | {place} | {correct} |\n", own.id))
     };
     let rows: String = errata.filter_map(row).collect();
-    format!("| no. | place | correct |\n| --- | --- | --- |\n{rows}")
+    format!("| no. | what is wrong | place | correct |\n| --- | --- | --- | --- |\n{rows}")
 }
 
 /// An erratum as a quotation.
