@@ -84,7 +84,7 @@ fn tiles(plan: &Plan, collection: &Collection) -> Vec<Tile> {
     part.into_iter().chain([judged]).chain(theory).collect()
 }
 
-/// The text of the file, and after its first paragraph the best positions, if a closed form has one.
+/// The text of the file; the best positions, if a closed form has one, follow its first paragraph.
 pub fn text(grid: &Grid, plan: &Plan, points: &[Point<'_>]) -> String {
     let best = Curves::of(grid, plan, points).and_then(|curves| tables::best(&curves));
     let text = grid.text.trim();
