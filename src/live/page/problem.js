@@ -32,7 +32,7 @@ function setVerdict(text, isStated) {
     const typeset = value.replace(/e(-?\d+)$/, (_, power) => `×${ten(power)}`);
     for (const text of [name, typeset, meaning]) row.insertCell().textContent = text;
   }
-  const zeros = measured.length && measured.every((own) => !own || own[2] === "0") && table.rows.length > 1 ? [paragraph(`All ${table.rows.length} residuals are 0.`)] : [];
+  const zeros = measured.length && measured.every((own) => !own || own[2] === "0") && table.rows.length > 1 ? [paragraph(`All ${table.rows.length} kinds of residual are 0.`)] : [];
   const remarks = lines.filter((line, k) => !measured[k] && line.trim()).map((line) => paragraph(line.trim()));
   find("#judge").replaceChildren(...(isStated ? [] : [paragraph(first.replace(/^verdict\s+/, ""))]), ...(zeros.length ? zeros : table.rows.length ? [table] : []), ...remarks);
 }

@@ -76,7 +76,7 @@ impl View for Plan {
             let (turned, models) = most_aside();
             let close = closest(study).map_or(String::new(), |(model, part)| {
                 format!(
-                    "; the best of Table 1, {}, is off by {} and {}°",
+                    "; of these the best in Table 1, {}, is off by {} and {}°",
                     short(model),
                     percent(part),
                     readable(aside(model), 3)

@@ -218,10 +218,11 @@ fn extremes(record: &Record) -> String {
     let largest = accurate.max_by(|a, b| size(&a.1, &b.1));
     let largest = largest.map_or(String::new(), |(own, (engine, worst))| {
         format!(
-            " The largest with accurate settings: *{}* in {engine}, {} {}.",
+            " The largest with accurate settings: *{}* in {engine}, {} {}, {} times its tolerance.",
             own.name.replace('_', " "),
             worst.what,
-            answer::found(&worst)
+            answer::found(&worst),
+            readable(worst.miss(), 2)
         )
     });
     ending + &largest

@@ -158,7 +158,7 @@ impl Plan {
                     own.scene.replace('_', " "),
                     title(best),
                     readable(added, 2),
-                    if is_least { ", the least of all schemes" } else { "" },
+                    if is_least { ", no scheme less" } else { "" },
                     title(worst),
                     readable(most, 2)
                 );

@@ -82,7 +82,8 @@ pub(crate) fn first_bad_step(notes: &[StepSummary]) -> usize {
 /// let names: Vec<&str> = load.causes.iter().map(Slow::name).collect();
 /// assert!(names.iter().all(|name| found.causes().contains(name)));
 /// assert!(!found.headline().is_empty() && found.to_json().is_object());
-/// assert!(found.conclusion().ends_with("the error.")); // the first cause and the best remedy
+/// // The first cause, and the best remedy with its cost.
+/// assert!(found.conclusion().contains(" the error with "), "{}", found.conclusion());
 /// assert!(found.worst().iter().any(|(measure, _)| *measure == "residual"));
 /// // A reference solution is known for every step.
 /// assert!(found.unsolved(1e-8).is_empty() && found.unsolved_in_words(1e-8).is_empty());
