@@ -86,11 +86,12 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
     }
 }
 
-/// The contact points of a problem whose rows are all those of two bodies, in words.
+/// The contact points of a problem whose rows are all contact rows of two bodies, in words.
 fn contacts(problem: &Problem) -> String {
-    let points = rows(problem).iter().filter(|row| row["kind"] == "normal").count();
+    let of_kind = |kind: &str| rows(problem).iter().filter(|row| row["kind"] == kind).count();
+    let (points, friction) = (of_kind("normal"), of_kind("friction"));
     match pair(problem) {
-        Some(pair) if points > 0 => {
+        Some(pair) if points > 0 && points + friction == rows(problem).len() => {
             let names: Vec<&str> = pair.iter().filter_map(Value::as_str).collect();
             format!(", of {} between {}", counted(points, "contact point"), names.join(" and "))
         }

@@ -109,7 +109,7 @@ impl Recording {
         self.ending = failure.map(|own| match own.cause {
             Cause::NoSolution { .. } => {
                 let time = readable(own.time, 6);
-                format!("step {}, at {time} s: no forces satisfy Coulomb's law", own.step)
+                format!("step {}, at {time} s: no forces satisfy the sliding contact", own.step)
             }
             _ => own.to_string(),
         });

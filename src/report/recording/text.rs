@@ -6,7 +6,7 @@ use super::energy_totals::EnergyTotals;
 use super::{NOT_ACCOUNTED, Record};
 use crate::body::{Body, State};
 use crate::lcp::friction::{Form, Law};
-use crate::number::{capitalized, counted, readable};
+use crate::number::{counted, readable};
 use crate::scene::{Resting, Scene, Scheme};
 use crate::simulation::{Departure, Slip, momentum_sizes, unstable_springs};
 
@@ -160,10 +160,7 @@ impl Record {
 
     /// How to reduce the drift, in a sentence; empty if it is small.
     pub(crate) fn advice(&self) -> String {
-        match self.relative_drift() {
-            [_, remedy] if !remedy.is_empty() => format!(" {}.", capitalized(&remedy)),
-            _ => String::new(),
-        }
+        self.relative_drift().map_or_else(String::new, |(_, remedy)| format!(" Drift: {remedy}."))
     }
 
     /// The largest scaled residual of an answer.
@@ -410,12 +407,11 @@ impl Record {
 
     fn drift_in_words(&self) -> String {
         let [drift, angle] = [readable(self.worst_drift, 3), self.misalignment_in_words()];
-        match self.relative_drift() {
-            [part, remedy] if !remedy.is_empty() => {
-                format!("at most {drift} m{angle}{part}; {remedy}")
-            }
-            [part, _] => format!("at most {drift} m{angle}{part}"),
-        }
+        let relative = self.relative_drift();
+        let relative = relative.map_or_else(String::new, |(part, remedy)| {
+            format!(", {part} % of the scene's size at the start; {remedy}")
+        });
+        format!("at most {drift} m{angle}{relative}")
     }
 
     /// The size of the scene (m) at the start, because a drift enlarges it.
@@ -425,36 +421,28 @@ impl Record {
         size.fold(0.0, f64::max).max(points.map(|p| p.norm()).fold(0.0, f64::max))
     }
 
-    /// The drift relative to the scene, and how to reduce it, if it is large enough to report.
-    fn relative_drift(&self) -> [String; 2] {
+    /// The drift in percent of the scene's size, and how to reduce it, if it is large enough to
+    /// report.
+    fn relative_drift(&self) -> Option<(String, &'static str)> {
         let part = self.worst_drift / self.size();
         if !(part > DRIFT && part.is_finite()) {
-            return Default::default();
+            return None;
         }
         let remedy = match self.scene.step.scheme {
             Scheme::Velocity | Scheme::SequentialImpulses if self.scene.step.baumgarte > 0.0 => {
-                "a shorter step or a larger step.baumgarte reduces the drift"
+                "a shorter step or a larger step.baumgarte reduces it"
             }
-            Scheme::Velocity | Scheme::SequentialImpulses => {
-                "set step.baumgarte to correct the drift"
-            }
+            Scheme::Velocity | Scheme::SequentialImpulses => "set step.baumgarte to correct it",
             // Feedback cannot hold what rows of a nearly singular A throw apart.
             Scheme::Acceleration if self.has_diverged => {
                 "the motion diverged: try a shorter step or the scheme velocity"
             }
-            Scheme::Acceleration if self.scene.step.alpha == 0.0 => {
-                "set step.alpha to correct the drift"
-            }
-            Scheme::Penalty => {
-                "a larger step.penalty.stiffness with more step.substeps reduces the drift"
-            }
-            Scheme::Soft => {
-                "a larger step.soft.joint_hertz with more step.substeps reduces the drift"
-            }
-            _ => "a shorter step reduces the drift",
+            Scheme::Acceleration if self.scene.step.alpha == 0.0 => "set step.alpha to correct it",
+            Scheme::Penalty => "a larger step.penalty.stiffness with more step.substeps reduces it",
+            Scheme::Soft => "a larger step.soft.joint_hertz with more step.substeps reduces it",
+            _ => "a shorter step reduces it",
         };
-        let percent = readable(100.0 * part, 2);
-        [format!(", {percent} % of the scene's size at the start"), remedy.into()]
+        Some((readable(100.0 * part, 2), remedy))
     }
 
     /// The moving bodies that the output lists, with their states, and the number of the others.

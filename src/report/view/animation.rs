@@ -59,12 +59,11 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     let scene = animation.scene.clone();
     let judged = match record.verdicts() {
         [_, 0] => String::new(),
-        [accepted, solves] if accepted == solves => format!(
-            "The judge accepts all {} answers, so errors of the motion are those of the scheme and its step length. ",
-            count(solves)
-        ),
+        [accepted, solves] if accepted == solves => {
+            format!("The judge accepts all {} answers. ", count(solves))
+        }
         [accepted, solves] => format!(
-            "The judge accepts {} of {} answers: errors of the motion may be the solver's. ",
+            "The judge accepts {} of {} answers; errors of the motion may be the solver's. ",
             count(accepted),
             count(solves)
         ),

@@ -200,14 +200,15 @@ impl Figure for Bars {
 
     fn csv(&self) -> String {
         let mut out = String::new();
-        csv::record(&mut out, ["name", &self.x.heading()]);
+        csv::record(&mut out, ["name", &self.x.heading(), "drawn"]);
         for bar in &self.bars {
-            for value in bar.others.iter().chain([&bar.value]) {
-                csv::record(&mut out, [bar.name.as_str(), &csv::number(*value)]);
+            csv::record(&mut out, [&bar.name, &csv::number(bar.value), "dark"]);
+            for value in &bar.others {
+                csv::record(&mut out, [&bar.name, &csv::number(*value), "pale"]);
             }
         }
         if let Some((value, name)) = &self.limit {
-            csv::record(&mut out, [name.as_str(), &csv::number(*value)]);
+            csv::record(&mut out, [name, &csv::number(*value), "line"]);
         }
         out
     }

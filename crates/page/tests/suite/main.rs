@@ -40,7 +40,8 @@ fn bars_without_a_place_are_written() {
         };
         assert_well_formed(&figure);
         assert!(figure.svg().contains("not a number") && figure.svg().contains("&lt;by&gt;"));
-        assert_eq!(figure.csv(), "name,time (s)\npgs,3\nlemke,0\nmurty,nan\ndantzig,-1\nmost,2\n");
+        let rows = "pgs,3,dark\nlemke,0,dark\nmurty,nan,dark\ndantzig,-1,dark\nmost,2,line\n";
+        assert_eq!(figure.csv(), format!("name,time (s),drawn\n{rows}"));
     }
 }
 

@@ -95,7 +95,11 @@ pub(crate) static ENTRIES: &[Entry] = &[
         method: "block principal pivoting, then Murty's rule (finite) or proximal steps",
         class: Class::of(MatrixClass::POrSemidefinite),
         group: Group::Pivoting,
-        cost: ACTIVE_SET,
+        cost: Cost {
+            formula: "f³/3 + f² + s, and once before the first with 3 s more for the sweeps",
+            start: |i| factorization(i) + 3.0 * i.stored,
+            iteration: factorization,
+        },
         source: "Kostreva 1978; Júdice & Pires 1994",
         uses: &[],
         build: Build::Function(|options| {

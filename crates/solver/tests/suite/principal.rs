@@ -27,6 +27,34 @@ fn the_safeguard_takes_over_where_blocks_cycle_and_is_seen() {
 }
 
 #[test]
+fn sweeps_pass_the_load_on_that_exchanges_pass_on_contact_by_contact() {
+    // A column of n masses of 1 kg that fall at 1 m/s: contact k carries (n − k) N s. Only the
+    // contact with the ground closes at first, and each exchange loads the next one.
+    let n = 12;
+    let entry = |i: usize, j: usize| match i.abs_diff(j) {
+        0 => {
+            if i == 0 {
+                1.0
+            } else {
+                2.0
+            }
+        }
+        1 => -1.0,
+        _ => 0.0,
+    };
+    let a: Vec<f64> = (0..n * n).map(|k| entry(k / n, k % n)).collect();
+    let b = (0..n).map(|i| if i == 0 { -1.0 } else { 0.0 }).collect();
+    let lcp = Lcp::new(Matrix::dense(n, &a), b, vec![0.0; n], vec![INF; n]).unwrap();
+    let zero = vec![0.0; n];
+    for (start, exchanges) in [(Start::at(&zero), n), (Start::default(), 0)] {
+        let solution = BlockPivoting::default().solve(&lcp, &start, &mut ());
+        assert_eq!((&solution.status, solution.iterations), (&Status::Solved, exchanges));
+        let is_exact = |(k, x): (usize, &f64)| (x - (n - k) as f64).abs() < 1e-9;
+        assert!(solution.x.iter().enumerate().all(is_exact), "{:?}", solution.x);
+    }
+}
+
+#[test]
 fn a_singular_block_of_a_symmetric_matrix_is_solved_by_proximal_steps() {
     // From x = (0, 0) both rows become free; their equations contradict each other. x = (0, 2).
     let lcp = contacts(&[&[1.0, 1.0], &[1.0, 1.0]], &[-1.0, -2.0]);

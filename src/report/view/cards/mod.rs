@@ -14,8 +14,6 @@ use crate::report::study::cards::{self, Engine, Phenomenon, Plan, Record};
 /// The two configurations in which external engines are run.
 const DEFAULTS: &str = "defaults";
 const ACCURATE: &str = "accurate";
-/// The phenomenon whose measure ends where the ball is through the wall.
-const ENDING: &str = "bullet";
 /// The engine whose configurations are schemes.
 const OWN: &str = "lcplab";
 /// The known violations or failures of lcplab's own schemes; any other violation is a fault.
@@ -177,7 +175,7 @@ fn heat(record: &Record) -> Grades {
         caption: format!(
             "The name of a row leads to its law. A number is the largest violation in multiples of the tolerance, with k \
              for thousands; ✗: the run failed; –: the engine or its adapter does not support the scene.{}",
-            extremes(record)
+            largest(record)
         ),
         rows: record.phenomena.iter().map(row).collect(),
         has_counts: true,
@@ -195,37 +193,23 @@ fn heat(record: &Record) -> Grades {
     }
 }
 
-/// The end of the scale of [`ENDING`], and the largest violation with accurate settings.
-fn extremes(record: &Record) -> String {
-    let runs = |own: &'_ Phenomenon, settings: &str| -> Vec<(String, cards::Measured)> {
-        let runs = own.columns.iter().filter(|run| run.engine != OWN && run.settings == settings);
-        let worst =
-            runs.filter_map(|run| Some((record.title(&run.engine).into(), run.worst()?.clone())));
-        worst.collect()
-    };
-    let size = |a: &(String, cards::Measured), b: &(String, cards::Measured)| {
-        a.1.miss().total_cmp(&b.1.miss())
-    };
-    let ending = record.phenomena.iter().find(|own| own.name == ENDING);
-    let ending = ending.and_then(|own| runs(own, DEFAULTS).into_iter().max_by(size));
-    let ending = ending.map_or(String::new(), |(_, worst)| {
-        format!(" *{ENDING}*, {}: the ball went through the wall.", readable(worst.miss(), 2))
-    });
-    let accurate = record
-        .phenomena
-        .iter()
-        .flat_map(|own| runs(own, ACCURATE).into_iter().map(move |run| (own, run)));
-    let largest = accurate.max_by(|a, b| size(&a.1, &b.1));
-    let largest = largest.map_or(String::new(), |(own, (engine, worst))| {
+/// The largest violation with accurate settings, in a sentence.
+fn largest(record: &Record) -> String {
+    let runs =
+        record.phenomena.iter().flat_map(|own| own.columns.iter().map(move |run| (own, run)));
+    let accurate = runs.filter(|(_, run)| run.engine != OWN && run.settings == ACCURATE);
+    let worst = accurate.filter_map(|(own, run)| Some((own, run, run.worst()?)));
+    let largest = worst.max_by(|a, b| a.2.miss().total_cmp(&b.2.miss()));
+    largest.map_or(String::new(), |(own, run, worst)| {
         format!(
-            " The largest with accurate settings: *{}* in {engine}, {} {}, {} times its tolerance.",
+            " The largest with accurate settings: *{}* in {}, {} {}, {} times its tolerance.",
             own.name.replace('_', " "),
+            record.title(&run.engine),
             worst.what,
-            answer::found(&worst),
+            answer::found(worst),
             readable(worst.miss(), 2)
         )
-    });
-    ending + &largest
+    })
 }
 
 /// The tested releases of the external engines.

@@ -78,12 +78,12 @@ impl Plan {
         let most = named.iter().map(|solver| of_contacts(solver).0).max()?;
         let (advised, equal): (Vec<_>, Vec<_>) =
             named.into_iter().partition(|solver| of_contacts(solver).0 == most);
-        let italic = |those: &[&str]| {
-            listed(&those.iter().map(|solver| format!("*{solver}*")).collect::<Vec<_>>())
+        let italic = |those: &[&str]| -> Vec<String> {
+            those.iter().map(|solver| format!("*{solver}*")).collect()
         };
         let with = match equal[..] {
             [] => String::new(),
-            _ => format!(" (with {})", italic(&equal)),
+            _ => format!(" (with {})", listed(&italic(&equal))),
         };
         let others = match costs.iter().filter(|row| !row.iter().any(is_solved)).count() {
             0 => String::new(),
@@ -100,7 +100,7 @@ impl Plan {
         Some(format!(
             "**Use {}: {} {best} of the {} problems that have a solution, the most of {} solvers{with}, and {most} of \
              the {all} with symmetric semidefinite A, as contacts and joints have** (tolerance {}{others}).{}",
-            italic(&advised).replace(" and ", " or "),
+            italic(&advised).join(" or "),
             if advised.len() == 1 { "it solves" } else { "each solves" },
             costs.len(),
             solvers.len(),

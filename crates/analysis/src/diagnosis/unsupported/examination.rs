@@ -202,10 +202,8 @@ impl Examination {
             }
         };
         let depth = self.notes.iter().filter_map(|note| note.penetration).fold(0.0, f64::max);
-        let time = self.time.filter(|_| {
-            self.sunk.as_ref().is_some_and(|(_, sunk)| *sunk > REPORTED_DEPTH) && depth > 0.0
-        });
-        if let Some(time) = time {
+        let has_sunk = self.sunk.as_ref().is_some_and(|(_, sunk)| *sunk > REPORTED_DEPTH);
+        if let Some(time) = self.time.filter(|_| has_sunk && depth > 0.0) {
             let [time, depth] = [time, depth].map(|value| readable(value, DIGITS));
             words += &format!(" Within {time} s bodies overlap by up to {depth} m.");
         }
@@ -351,12 +349,7 @@ impl Examination {
             ["No reference".into(), format!("{}. {lost}", capitalized(reason))]
         }));
         let warnings = self.distinct_warnings().into_iter();
-        // A cause that was found makes the likely ones, and the advice against them, obsolete.
-        let own = |warning: &str| match warning.split_once(" A likely cause") {
-            Some((fact, _)) if !causes.is_empty() => capitalized(fact),
-            _ => capitalized(warning),
-        };
-        lines.extend(warnings.map(|warning| ["Warning".into(), own(warning)]));
+        lines.extend(warnings.map(|warning| ["Warning".into(), capitalized(warning)]));
         let lost = self.lost_bounces.iter();
         lines.extend(lost.map(|lost| ["Note".into(), format!("{}.", capitalized(lost))]));
         if !self.ruled_out.is_empty() {
