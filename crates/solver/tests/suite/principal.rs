@@ -29,8 +29,9 @@ fn the_safeguard_takes_over_where_blocks_cycle_and_is_seen() {
 #[test]
 fn sweeps_pass_the_load_on_that_exchanges_pass_on_contact_by_contact() {
     // A column of n masses of 1 kg that fall at 1 m/s: contact k carries (n − k) N s. Only the
-    // contact with the ground closes at first, and each exchange loads the next one.
-    let n = 12;
+    // contact with the ground closes at first, and each exchange loads the next one (more than
+    // ten that leave one row wrong would end in the safeguard).
+    let n = 8;
     let entry = |i: usize, j: usize| match i.abs_diff(j) {
         0 => {
             if i == 0 {
