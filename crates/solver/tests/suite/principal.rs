@@ -33,13 +33,8 @@ fn sweeps_pass_the_load_on_that_exchanges_pass_on_contact_by_contact() {
     // ten that leave one row wrong would end in the safeguard).
     let n = 8;
     let entry = |i: usize, j: usize| match i.abs_diff(j) {
-        0 => {
-            if i == 0 {
-                1.0
-            } else {
-                2.0
-            }
-        }
+        0 if i == 0 => 1.0,
+        0 => 2.0,
         1 => -1.0,
         _ => 0.0,
     };
