@@ -47,8 +47,9 @@ use crate::body::{Anisotropy, Pose, State, stack};
 /// };
 /// let pose = Pose { p: 0.75 * Vector3::z(), ..Pose::default() };
 /// let ball = State { pose, ..State::WORLD };
-/// assert_eq!(contact.gap([&State::WORLD, &ball])?, (0.25, Vector3::z()));
-/// assert_eq!(contact.point([&State::WORLD, &ball])?, 0.25 * Vector3::z()); // its lowest point
+/// let nearest = contact.nearest([&State::WORLD, &ball])?;
+/// assert_eq!((nearest.gap, nearest.normal), (0.25, Vector3::z()));
+/// assert_eq!(nearest.point, 0.25 * Vector3::z()); // the ball's lowest point
 /// # Ok::<(), lcplab_bodies::constraint::Degenerate>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -66,6 +67,17 @@ pub struct Contact {
     /// If friction depends on the direction: the body (0 or 1 of this contact) whose surface has
     /// the direction along which the coefficient is μ.
     pub anisotropy: Option<(usize, Anisotropy)>,
+}
+
+/// How near the surfaces of a [`Contact`] are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
+    /// The gap c (m), negative if the bodies overlap.
+    pub gap: f64,
+    /// The unit normal n (world), from body 0 to body 1.
+    pub normal: Vector3<f64>,
+    /// The touching point of body 1 (m, world).
+    pub point: Vector3<f64>,
 }
 
 /// The quantity that determines the normal of a contact. Vectors are unit vectors in their body's
@@ -112,9 +124,10 @@ pub(super) struct Frame {
 }
 
 impl Contact {
-    #[inline]
+    /// Inlined, as its cases are, so that [`nearest`](Contact::nearest) computes neither J nor J'u.
+    #[inline(always)]
     fn frame(&self, arms: &Arms, states: [&State; 2]) -> Result<Frame, Degenerate> {
-        let frame = match &self.normal {
+        let mut frame = match &self.normal {
             Normal::Rim(of) => return rim(arms, states, of),
             Normal::Face(n) => face(arms, states, states[0].pose.direction(n)),
             Normal::Centers => round(arms, states, None)?,
@@ -123,8 +136,9 @@ impl Contact {
                 edges(arms, states, states[0].pose.direction(e0), states[1].pose.direction(e1))?
             }
         };
-        let [toe, toe_rate] = [frame.n, frame.n_rate].map(|v| -self.radii[1] * v);
-        Ok(Frame { toe, toe_rate, ..frame })
+        frame.toe = -self.radii[1] * frame.n;
+        frame.toe_rate = -self.radii[1] * frame.n_rate;
+        Ok(frame)
     }
 
     /// c with the normal of this frame.
@@ -135,25 +149,19 @@ impl Contact {
         }
     }
 
-    /// The touching point of body 1 (m, world).
-    ///
-    /// # Errors
-    /// If n is not defined.
-    pub fn point(&self, states: [&State; 2]) -> Result<Vector3<f64>, Degenerate> {
-        let arms = Arms::new(states, &self.anchors);
-        let toe = self.frame(&arms, states)?.toe;
-        Ok(states[1].pose.p + arms.r[1] + toe)
-    }
-
-    /// c and n at these states.
+    /// The gap, the normal and the touching point at these states.
     ///
     /// # Errors
     /// If n is not defined.
     #[inline]
-    pub fn gap(&self, states: [&State; 2]) -> Result<(f64, Vector3<f64>), Degenerate> {
+    pub fn nearest(&self, states: [&State; 2]) -> Result<Nearest, Degenerate> {
         let arms = Arms::new(states, &self.anchors);
         let frame = self.frame(&arms, states)?;
-        Ok((self.separation(&arms, &frame), frame.n))
+        Ok(Nearest {
+            gap: self.separation(&arms, &frame),
+            normal: frame.n,
+            point: states[1].pose.p + arms.r[1] + frame.toe,
+        })
     }
 }
 
@@ -185,6 +193,7 @@ impl Constraint for Contact {
 }
 
 /// n is fixed to body 0.
+#[inline(always)]
 fn face(arms: &Arms, states: [&State; 2], n: Vector3<f64>) -> Frame {
     let omega0 = states[0].omega;
     Frame {
@@ -200,6 +209,7 @@ fn face(arms: &Arms, states: [&State; 2], n: Vector3<f64>) -> Frame {
 
 /// n points to anchor 1 from an edge of body 0 along `axis`, or from anchor 0 if there is no axis:
 /// like a face whose normal moves in body 0's frame.
+#[inline(always)]
 fn round(
     arms: &Arms,
     states: [&State; 2],
@@ -222,6 +232,7 @@ fn round(
 }
 
 /// n is perpendicular to the edge e0 of body 0 and the edge e1 of body 1.
+#[inline(always)]
 fn edges(
     arms: &Arms,
     states: [&State; 2],
@@ -257,6 +268,7 @@ fn edges(
 }
 
 /// n is fixed to body 0, and the lowest point of a circle of body 1 touches.
+#[inline(always)]
 fn rim(arms: &Arms, states: [&State; 2], of: &Rim) -> Result<Frame, Degenerate> {
     let [omega0, omega1] = [states[0].omega, states[1].omega];
     let (n, a) = (states[0].pose.direction(&of.normal), states[1].pose.direction(&of.axis));

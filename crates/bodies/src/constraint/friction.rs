@@ -34,6 +34,7 @@ use crate::body::{Anisotropy, Pose, State, stack};
 const NORMAL_TO_SURFACE: f64 = 1e-6;
 
 /// The two tangential rows that follow a contact's normal row.
+#[inline]
 pub(super) fn rows(contact: &Contact, arms: &Arms, frame: &Frame, states: [&State; 2]) -> [Row; 2] {
     let [s0, s1] = states;
     let rho1 = arms.r[1] + frame.toe;

@@ -53,7 +53,7 @@ mod weld;
 pub use axis_lock::{AxisLock, Motion};
 pub use coincidence::Coincidence;
 pub use cone_limit::ConeLimit;
-pub use contact::{Contact, Normal, Rim};
+pub use contact::{Contact, Nearest, Normal, Rim};
 pub use coordinate::Coordinate;
 pub use cylindrical::Cylindrical;
 pub use distance::Distance;

@@ -13,7 +13,7 @@ pub(super) fn touch(a: &Solid, b: &Solid, axis: &EdgeAxis) -> (Touch, bool) {
     let [i, j] = axis.edges;
     let (e0, e1) = (a.directions[i], b.directions[j]);
     let [along0, along1] = nearest(a.ends(i)[0], e0, b.ends(j)[0], e1);
-    let within = (0.0..=a.length(i)).contains(&along0) && (0.0..=b.length(j)).contains(&along1);
+    let within = (0.0..=a.lengths[i]).contains(&along0) && (0.0..=b.lengths[j]).contains(&along1);
     let sign = 1.0f64.copysign(e0.cross(&e1).dot(&axis.n));
     let touch = Touch {
         features: [Feature::Edge(i), Feature::Edge(j)],

@@ -37,7 +37,7 @@ use nalgebra::Vector3;
 
 use super::{Manifold, Scene};
 use crate::body::{Mass, Shape, State};
-use crate::constraint::{Contact, Normal};
+use crate::constraint::{Contact, Nearest, Normal};
 use broad::{Broad, HalfSpace};
 use meeting::FreeMotion;
 pub use passage::Passage;
@@ -406,18 +406,18 @@ fn point(
             .map(|(body, surface)| (usize::from(body == k1), surface)),
     };
     let pair_of = [&states[k0], &states[k1]];
-    let (contact, (gap, normal)) = match (contact.gap(pair_of), touch.normal) {
-        (Ok(measured), _) => (contact, measured),
+    let (contact, nearest) = match (contact.nearest(pair_of), touch.normal) {
+        (Ok(nearest), _) => (contact, nearest),
         (Err(_), Normal::Centers) => {
             let normal = Normal::Face(states[k0].pose.q.inverse() * Vector3::z());
             let contact = Contact { normal, ..contact };
-            let measured = contact.gap(pair_of).ok()?;
-            (contact, measured)
+            let nearest = contact.nearest(pair_of).ok()?;
+            (contact, nearest)
         }
         (Err(_), _) => return None,
     };
-    let point = contact.point(pair_of).ok()?;
     let [f0, f1] = touch.names();
     let id = ContactId { bodies: pair, features: [owners[0].name(f0), owners[1].name(f1)] };
+    let Nearest { gap, normal, point } = nearest;
     Some(DetectedContact { id, contact, gap, margin, normal, point })
 }

@@ -50,14 +50,14 @@ fn nearest_feature(a: &Solid, k: usize, vertex: &Vector3<f64>) -> Touch {
     };
     let faces = (0..a.normals.len()).filter_map(|face| {
         let height = a.height(face, vertex);
-        let over = height >= 0.0 && a.covers(face, &a.normals[face], vertex, 0.0);
+        let over = height >= 0.0 && a.covers(face, vertex, 0.0);
         let foot = vertex - a.normals[face] * height;
         over.then(|| touch(Feature::Face(face), foot, Normal::Face(a.local_normal(face))))
     });
     let edges = (0..a.directions.len()).filter_map(|edge| {
         let ([from, _], e) = (a.ends(edge), a.directions[edge]);
         let along = e.dot(&(vertex - from));
-        let beside = along > 0.0 && along < a.length(edge);
+        let beside = along > 0.0 && along < a.lengths[edge];
         beside.then(|| touch(Feature::Edge(edge), from + e * along, Normal::Edge(a.local(&e))))
     });
     let first = touch(Feature::Vertex(0), a.vertices[0], Normal::Centers);

@@ -64,7 +64,7 @@ fn over(a: &Solid, b: &Solid, face: usize, k: usize, rim: f64) -> Option<Touch> 
             swapped: false,
         }
     };
-    a.covers(face, &n, &vertex, rim).then(touch)
+    a.covers(face, &vertex, rim).then(touch)
 }
 
 /// The corners of the face of `a` over the face of `b`, except where `b` has a corner.
@@ -105,7 +105,7 @@ fn cross(a: &Solid, b: &Solid, face: usize, [i, j]: [usize; 2], rim: f64) -> Opt
     }
     let [s, t] = [d.cross(&e1), d.cross(&e0)].map(|moment| n.dot(&moment) / turn);
     let within = |s: f64, length: f64| s > rim && s < length - rim;
-    if !within(s, a.length(i)) || !within(t, b.length(j)) {
+    if !within(s, a.lengths[i]) || !within(t, b.lengths[j]) {
         return None;
     }
     let normal = across.normalize() * turn.signum();

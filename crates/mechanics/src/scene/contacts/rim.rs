@@ -43,13 +43,11 @@ pub(super) fn on_plane(
 /// The same for a face; also false if no part of the line is over the face.
 pub(super) fn on_face(flat: &Solid, face: usize, solid: &Solid, out: &mut Vec<Touch>) -> bool {
     let Some((cylinder, ends)) = solid.cylinder() else { return false };
-    let (n, corners) = (flat.normals[face], flat.corners(face));
+    let n = flat.normals[face];
     let Some(down) = lowest(&cylinder, &n) else { return false };
     let line = cylinder.center + down;
     let (mut low, mut high) = (-cylinder.half_length, cylinder.half_length);
-    for k in 0..corners.len() {
-        let [from, to] = [k, (k + 1) % corners.len()].map(|k| flat.vertices[corners[k]]);
-        let inward = n.cross(&(to - from)).normalize();
+    for [from, inward] in flat.sides(face) {
         let (inside, rate) = (inward.dot(&(line - from)), inward.dot(&cylinder.axis));
         match rate {
             rate if rate > PARALLEL => low = low.max(-inside / rate),
@@ -61,8 +59,8 @@ pub(super) fn on_face(flat: &Solid, face: usize, solid: &Solid, out: &mut Vec<To
     if low > high {
         return false;
     }
-    let flat =
-        Flat { feature: face, local: flat.local_normal(face), n, point: flat.vertices[corners[0]] };
+    let point = flat.vertices[flat.corners(face)[0]];
+    let flat = Flat { feature: face, local: flat.local_normal(face), n, point };
     for (along, end) in [low, high].into_iter().zip(ends) {
         out.extend(touch(&flat, solid, &cylinder, along, end));
     }

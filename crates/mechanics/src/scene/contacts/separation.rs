@@ -59,9 +59,12 @@ pub(super) fn by_edges(a: &Solid, b: &Solid) -> Option<EdgeAxis> {
         for of_b in b.parallels() {
             let [e0, e1] = [a.directions[of_a[0]], b.directions[of_b[0]]];
             let Some(across) = e0.cross(&e1).try_normalize(PARALLEL) else { continue };
-            for n in [across, -across] {
-                let [(i, top), (j, bottom)] = [a.farthest(of_a, &n), b.farthest(of_b, &-n)];
-                let separation = -bottom - top;
+            let [low_a, high_a] = a.extremes(of_a, &across);
+            let [low_b, high_b] = b.extremes(of_b, &across);
+            for (n, [i, j], separation) in [
+                (across, [high_a.0, low_b.0], low_b.1 - high_a.1),
+                (-across, [low_a.0, high_b.0], low_a.1 - high_b.1),
+            ] {
                 let is_better = best.is_none_or(|axis| separation > axis.separation);
                 // Last, since it is the most expensive test and few axes are better than the best
                 // so far.

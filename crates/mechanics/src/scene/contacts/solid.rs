@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::body::{Cylinder, Edge, Placed, Polytope, Pose, Shape};
+use crate::body::{Cylinder, Edge, Face, Placed, Polytope, Pose, Shape};
 
 /// A direction counts as tangential to a surface below this sine.
 const ALONG: f64 = 1e-9;
@@ -18,6 +18,8 @@ pub(super) struct Solid {
     pub radius: f64,
     /// The extent of the polytope (m): the greatest distance of a vertex from its own origin.
     pub size: f64,
+    /// The lengths of the polytope's edges (m).
+    pub lengths: Vec<f64>,
     /// The polytope's vertices (m).
     pub vertices: Vec<Vector3<f64>>,
     /// The unit normals of its faces.
@@ -98,9 +100,22 @@ pub(super) fn parts(shape: &Shape) -> Vec<Option<Round>> {
 impl Solid {
     /// A part without a pose.
     pub fn new(Round { polytope, parallels, radius, size }: Round) -> Self {
-        let (vertices, normals, directions, inwards) = Default::default();
-        let pose = Pose::default();
-        Solid { polytope, parallels, pose, radius, size, vertices, normals, directions, inwards }
+        let length = |edge: &Edge| {
+            let [from, to] = edge.ends.map(|k| polytope.vertices[k]);
+            (to - from).norm()
+        };
+        Solid {
+            lengths: polytope.edges.iter().map(length).collect(),
+            polytope,
+            parallels,
+            pose: Pose::default(),
+            radius,
+            size,
+            vertices: Vec::new(),
+            normals: Vec::new(),
+            directions: Vec::new(),
+            inwards: Vec::new(),
+        }
     }
 
     /// The number of vertices, edges and faces.
@@ -132,6 +147,7 @@ impl Solid {
         let points =
             self.vertices.capacity() + self.normals.capacity() + self.directions.capacity();
         points * size_of::<Vector3<f64>>()
+            + self.lengths.capacity() * size_of::<f64>()
             + self.inwards.capacity() * size_of::<Option<[Vector3<f64>; 2]>>()
     }
 
@@ -140,23 +156,19 @@ impl Solid {
         &self.parallels
     }
 
-    /// Of these edges, all along one direction perpendicular to n, the one that reaches farthest
-    /// along n, and how far (m).
-    pub fn farthest(&self, edges: &[usize], n: &Vector3<f64>) -> (usize, f64) {
-        let height = |k: usize| n.dot(&self.vertices[self.polytope.edges[k].ends[0]]);
-        let heights = edges.iter().map(|&k| (k, height(k)));
-        heights.reduce(|best, next| if next.1 > best.1 { next } else { best }).unwrap_or_default()
+    /// Of these edges, all along one direction perpendicular to n, the lowest and the highest along
+    /// n, with their heights (m).
+    pub fn extremes(&self, edges: &[usize], n: &Vector3<f64>) -> [(usize, f64); 2] {
+        let height = |k: usize| (k, n.dot(&self.vertices[self.polytope.edges[k].ends[0]]));
+        let first = height(edges[0]);
+        edges[1..].iter().map(|&k| height(k)).fold([first; 2], |[low, high], next| {
+            [if next.1 < low.1 { next } else { low }, if next.1 > high.1 { next } else { high }]
+        })
     }
 
     /// The ends of an edge (m).
     pub fn ends(&self, edge: usize) -> [Vector3<f64>; 2] {
         self.polytope.edges[edge].ends.map(|k| self.vertices[k])
-    }
-
-    /// The length of an edge (m).
-    pub fn length(&self, edge: usize) -> f64 {
-        let [from, to] = self.ends(edge);
-        (to - from).norm()
     }
 
     /// The cylinder that it approximates, in world axes, with the faces at its lower and upper end.
@@ -186,15 +198,19 @@ impl Solid {
         self.normals[face].dot(&(point - self.vertices[self.corners(face)[0]]))
     }
 
-    /// Whether a point lies over a face when projected along `view`, or outside it by up to `rim`
-    /// (m).
-    pub fn covers(&self, face: usize, view: &Vector3<f64>, point: &Vector3<f64>, rim: f64) -> bool {
-        let corners = self.corners(face);
-        (0..corners.len()).all(|k| {
-            let [from, to] = [k, (k + 1) % corners.len()].map(|k| self.vertices[corners[k]]);
-            let inward = view.cross(&(to - from));
-            inward.dot(&(point - from)) >= -rim * inward.norm()
+    /// The sides of a face: a point on each (m), and the unit direction from there into the face.
+    pub fn sides(&self, face: usize) -> impl Iterator<Item = [Vector3<f64>; 2]> {
+        let Face { corners, edges, .. } = &self.polytope.faces[face];
+        corners.iter().zip(edges).filter_map(move |(&corner, &edge)| {
+            let is_first = self.polytope.edges[edge].faces?[0] == face;
+            let [first, second] = self.inwards[edge]?;
+            Some([self.vertices[corner], if is_first { first } else { second }])
         })
+    }
+
+    /// Whether a point lies over a face, or outside it by up to `rim` (m).
+    pub fn covers(&self, face: usize, point: &Vector3<f64>, rim: f64) -> bool {
+        self.sides(face).all(|[from, inward]| inward.dot(&(point - from)) >= -rim)
     }
 
     /// Whether an edge is the farthest feature along n (any length) among itself and its faces.

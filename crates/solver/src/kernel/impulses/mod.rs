@@ -66,7 +66,9 @@ pub struct RowTarget {
 impl Row {
     /// a_ii.
     fn diagonal(&self) -> f64 {
-        self.jacobian.as_flattened().iter().map(|j| j * j).sum()
+        let [j_p, j_q] = &self.jacobian;
+        let [a, b, c, d, e, f] = std::array::from_fn(|k| j_p[k] * j_p[k] + j_q[k] * j_q[k]);
+        (a + b + c) + (d + e + f)
     }
 
     /// Ĵ_i v.
@@ -125,6 +127,7 @@ impl System {
     ///
     /// # Panics
     /// If a body index is out of range.
+    #[inline]
     pub fn push(&mut self, row: Row, aim: RowTarget) -> Result<(), Status> {
         assert!(row.bodies.iter().all(|body| *body < self.bodies), "bodies");
         let inverse = row.diagonal().recip();
