@@ -37,8 +37,10 @@ pub use show::show;
 pub use table::{Entry, row, table};
 pub use twin::{ARRAYS, ENGINE};
 
-use crate::chapter::exhibit::{self, Exhibit, Severity};
+use crate::chapter::exhibit::{self, Measure, Outcome, Severity};
+use crate::document::notation::vector;
 use crate::error::{Error, Result};
+use crate::number::readable;
 use crate::report::page::markup::literal;
 use template::Template;
 
@@ -129,7 +131,7 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
                 let printed: Result<Vec<_>> = problems.iter().map(Template::printed).collect();
                 Some(problem::markdown(&printed?))
             }
-            "wrong errata" => Some(wrong(program)),
+            "wrong errata" => Some(wrong(program)?),
             name => record.values.get(name).cloned().or_else(|| note(name)),
         };
         out += &value.ok_or_else(|| {
@@ -140,24 +142,31 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
     Ok(out)
 }
 
-/// The errata that lead to a wrong result, as a table: each with its section, fault and correction.
-fn wrong(program: &Program) -> String {
-    let errata = exhibit::all().iter().filter(|own| own.severity == Severity::Wrong);
-    let row = |own: &Exhibit| {
-        let (before, _) = program.text.split_once(&format!("{{{{{}}}}}", own.id))?;
-        let section = before.matches("\n## ").count();
-        // A bar ends a cell.
-        let parts = own.holds.split('$').enumerate();
-        let correct = parts.map(|(k, part)| match k % 2 {
-            0 => part.replace('|', "\\|"),
-            _ => part.replace('|', "\\vert{}"),
-        });
-        let correct = correct.collect::<Vec<_>>().join("$");
-        let [place, title] = [&own.place, &own.title].map(|text| literal(text));
-        Some(format!("| [{}](#part-{section}) | {title} | {place} | {correct} |\n", own.id))
+/// The errata that lead to a wrong result, as a table: each with its section and what its example
+/// measures first.
+fn wrong(program: &Program) -> Result<String> {
+    let written = |outcome: &Outcome| match outcome {
+        Outcome::Numbers(values) if values.len() > 1 => vector(values),
+        Outcome::Numbers(values) => readable(values[0], 3),
+        Outcome::Impossible(reason) => reason.clone(),
     };
-    let rows: String = errata.filter_map(row).collect();
-    format!("| no. | what is wrong | place | correct |\n| --- | --- | --- | --- |\n{rows}")
+    let mut table = "| no. | what is wrong | in its example | as printed → corrected |\n\
+                     | --- | --- | --- | --- |\n"
+        .to_string();
+    for own in exhibit::all().iter().filter(|own| own.severity == Severity::Wrong) {
+        let before = program.text.split(&format!("{{{{{}}}}}", own.id)).next().unwrap_or_default();
+        let section = before.matches("\n## ").count();
+        let shown = own.found()?.and_then(|finding| {
+            let Measure { quantity, unit, printed, corrected, .. } = finding.measures.first()?;
+            let [printed, corrected] = [printed, corrected].map(written);
+            let quantity = format!("{quantity} ({unit})").replace(" ()", "");
+            Some(format!("{quantity} | {printed} → {corrected}"))
+        });
+        let [title, shown] =
+            [literal(&own.title), shown.unwrap_or_else(|| "in words only |".into())];
+        table += &format!("| [{}](#part-{section}) | {title} | {shown} |\n", own.id);
+    }
+    Ok(table)
 }
 
 /// An erratum as a quotation.

@@ -37,10 +37,10 @@ fn corrected(x: f64, y: f64) -> bool {
 /// One row inside its limits, one degenerate, one at its upper limit.
 pub(super) fn example() -> Result<Finding> {
     let rows: [(&str, Reading, f64, bool); 4] = [
-        ("y = 2x − 4", printed, -4.0, false),
-        ("y = 2x", printed, 0.0, false),
-        ("y = 2x, strict signs", with_strict_signs, 0.0, false),
-        ("y = 2x − 30", printed, -30.0, true),
+        ("solutions of y = 2x − 4", printed, -4.0, false),
+        ("solutions of y = 2x", printed, 0.0, false),
+        ("the same, strict signs", with_strict_signs, 0.0, false),
+        ("solutions of y = 2x − 30", printed, -30.0, true),
     ];
     let mut finding = Finding::new(
         "One unknown between 0 and 10. We try x = 0, 0.01, …, 10 and count how many of these 1001 numbers \
@@ -54,7 +54,7 @@ pub(super) fn example() -> Result<Finding> {
         };
         let lcp = Lcp::new(Matrix::dense(1, &[2.0]), vec![b], vec![LOWER], vec![UPPER])?;
         let truth = enumerated(&lcp).len() as f64;
-        let measure = Measure::new(name, "points", count(reading), count(corrected)).truth(
+        let measure = Measure::new(name, "", count(reading), count(corrected)).truth(
             &[truth],
             "enumeration",
             0.0,

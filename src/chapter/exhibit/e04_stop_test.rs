@@ -33,15 +33,14 @@ pub(super) fn example() -> Result<Finding> {
         corrected(&lcp, &solution),
     );
     let at_zero = Measure::new("value at x = 0, b = 0", "", ratio, corrected(&zero, &[0.0; 2]));
-    let count =
-        Measure::new("first sweep below 10⁻³", "", sweeps_to(printed), sweeps_to(corrected));
+    let count = Measure::new("sweeps to reach 10⁻³", "", sweeps_to(printed), sweeps_to(corrected));
     Ok(Finding::new(
         "A = [2 −1; −1 2], w = A x + b ≥ 0, x ≥ 0 with b = (−1, 3); K&M write A x = b with −b. The solution \
          is x = (½, 0) with w = (0, 2.5): the second contact opens. Projected Gauss-Seidel is there after \
          one sweep. At a solution a test must be 0.",
     )
-    .measure(at_solution.truth(&[0.0], "by definition", 0.0))
     .measure(count.truth(&[1.0], "by hand", 0.0))
+    .measure(at_solution.truth(&[0.0], "by definition", 0.0))
     .measure(at_zero.truth(&[0.0], "by definition", 0.0))
     .plot(&both_merits()?))
 }

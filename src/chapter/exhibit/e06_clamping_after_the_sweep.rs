@@ -23,7 +23,7 @@ pub(super) fn example() -> Result<Finding> {
          solution (0, 0, ⅓), but it does not stay there. All start at (2, …, 2) and make \
          10000 sweeps at most.",
     );
-    let quantities = ["x₂, first problem", "x₂, three balls", "x₃, third problem"];
+    let quantities = ["x₂ of two rows", "x₂, three balls", "x₃ of three rows"];
     for (quantity, (name, a, b)) in quantities.into_iter().zip(problems) {
         let lcp = contacts(a, b)?;
         let start = vec![2.0; b.len()];

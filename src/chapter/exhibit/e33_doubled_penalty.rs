@@ -27,7 +27,7 @@ pub(super) fn example() -> Result<Finding> {
         Measure::new("factor, two, no 1/dt", "", rate(Form::Printed)?, rate(Form::Corrected)?);
     let (doubled, once) =
         (errors(Form::Printed, 1.2, &pair)?, errors(Form::Corrected, 1.2, &pair)?);
-    let left = Measure::new("after 1 s, β = 1.2", "m", doubled[60], once[60]);
+    let left = Measure::new("error after 1 s, β = 1.2", "m", doubled[60], once[60]);
     let size = |errors: &[f64]| errors.iter().map(|error| error.abs()).collect::<Vec<_>>();
     let decay = |factor: f64| (0..=30).map(|k| 0.1 * factor.powi(k)).collect::<Vec<_>>();
     let panel = |beta: f64| -> Result<Panel> {
@@ -63,9 +63,9 @@ pub(super) fn example() -> Result<Finding> {
          body only, and the fault does not show. With β alone, as printed, the factor is 1 − β dt \
          if added once. With β = 1.2 the error is multiplied by −0.2 in a step, by −1.4 as printed.",
     )
+    .measure(left.truth(&[0.1 * 0.2f64.powi(60)], "0.1 (−0.2)⁶⁰", 1e-12))
     .measure(factor("factor, two bodies", 0.1, &pair)?)
     .measure(factor("factor, one body", 0.1, &lone)?.agreeing())
     .measure(unscaled.truth(&[1.0 - 0.1 * DT], "1 − β dt", 1e-12))
-    .measure(left.truth(&[0.1 * 0.2f64.powi(60)], "0.1 (−0.2)⁶⁰", 1e-12))
     .plot(&lines))
 }

@@ -43,13 +43,13 @@ pub(super) fn example() -> Result<Finding> {
     );
     Ok(Finding::new(
         "A rod of 1 m between two bodies of 1 kg is 0.1 m too long; no forces, dt = 1/60 s, β = 0.1. Its J is \
-         that of (34), −∂c/∂s. In the first line all of Code 7 is as printed, so that its penalty is \
-         doubled (E33) and β lacks 1/dt (E34); in the others those two are corrected and the sign alone \
+         that of (34), −∂c/∂s. Where all of Code 7 is as printed, its penalty is \
+         doubled (E33) and β lacks 1/dt (E34); in the other lines those two are corrected and the sign alone \
          is at fault. With the J of (39) the printed sign is right.",
     )
+    .measure(second.truth(&[whole], "0.1 (1 − β)⁶⁰", 1e-12))
     .measure(as_printed.truth(&[step], "1 − β", 1e-12))
     .measure(alone.truth(&[step], "1 − β", 1e-12))
-    .measure(second.truth(&[whole], "0.1 (1 − β)⁶⁰", 1e-12))
     .measure(other.truth(&[whole], "0.1 (1 − β)⁶⁰", 1e-12).agreeing())
     .plot(&lines))
 }

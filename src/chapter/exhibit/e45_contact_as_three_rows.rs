@@ -32,10 +32,10 @@ pub(super) fn example() -> Result<Finding> {
          numbers (0, 1, 0, −0.5, 0, 0.5), from the space that the rows span, and how many motions do they \
          forbid? For the ball, of 1 kg and landing at 1 m/s: the diagonal of A, and the impulse that stops it.",
     )
+    .measure(impulse.truth(&[1.0], "m v", 1e-8))
     .measure(away.truth(&[0.0], "dual numbers", 1e-12))
     .measure(rank.truth(&[1.0], "c is one number", 0.0))
-    .measure(diagonal.truth(&[0.0], "each row acts", 0.0))
-    .measure(impulse.truth(&[1.0], "m v", 1e-8)))
+    .measure(diagonal.truth(&[0.0], "each row acts", 0.0)))
 }
 
 /// (45) for the body on the floor: n on the diagonal, the skew matrix of r × n next to it.

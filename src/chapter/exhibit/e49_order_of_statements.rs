@@ -37,8 +37,8 @@ pub(super) fn example() -> Result<Finding> {
          they stand. For the velocity, the printed b is given the right A = 1 and its second column, along y: \
          x = −b/A. The judge sees both x on the problem w = A x + b of the corrected program.",
     )
+    .measure(after.truth(&[0.0], "the floor stops it", 1e-12))
     .measure(matrix.truth(&[1.0], "1/m", 1e-12))
     .measure(columns.truth(&[1.0], "Code 6 reads one", 0.0))
-    .measure(after.truth(&[0.0], "the floor stops it", 1e-12))
     .judged("the ball on the floor", &lcp, &[closing], &[x]))
 }

@@ -19,7 +19,7 @@ pub(super) fn example() -> Result<Finding> {
     let break_even = last_smaller.unwrap_or(0) as f64 / ENTRIES as f64;
     let [short, middle, long] = [500, 1000, 1500].map(mean_steps);
 
-    let ratio = Measure::new("list : dense, full", "", 28.0, 280_000.0 / 40_000.0);
+    let ratio = Measure::new("full list : dense", "", 28.0, 280_000.0 / 40_000.0);
     let half = Measure::new("bytes, half full", "", 70_000.0, (ENTRIES / 2 * LISTED) as f64);
     let fill = Measure::new("fill at break-even", "", 1.0 / 28.0, 1.0 / 7.0);
     let steps =

@@ -31,13 +31,13 @@ pub(super) fn inverted_ratio() -> Result<Finding> {
     let rate = |j: [f64; 2]| j[0] * velocity[0] + j[1] * velocity[1];
     let along = exact(Dual64::new(x, velocity[0]), Dual64::new(y, velocity[1]));
     let entries = Measure::new("J", "", printed, corrected);
-    let speed = Measure::new("ċ", "m/s", rate(printed), rate(corrected));
+    let speed = Measure::new("rate of the distance", "m/s", rate(printed), rate(corrected));
     Ok(Finding::new(
         "c = |p| at p = (3, 4) m, in the plane; the point moves at (1, 2) m/s. Printed: the change of an \
          input by 10⁻⁶ m over the change of c. Corrected: the row of this library's distance constraint.",
     )
-    .measure(entries.truth(&truth, "dual numbers", 1e-12))
-    .measure(speed.truth(&[along], "dual numbers", 1e-12)))
+    .measure(speed.truth(&[along], "dual numbers", 1e-12))
+    .measure(entries.truth(&truth, "dual numbers", 1e-12)))
 }
 
 /// E41: the arms of the ball joint are exchanged, K&M (33).
@@ -66,9 +66,9 @@ pub(super) fn ball_joint_arms() -> Result<Finding> {
          at r₀ = (1, 0, 0) m, body 1 spins with 2 rad/s and has it at r₁ = (0, 2, 0) m. The rate (x, y) of \
          the gap between the anchors is ω₁ × r₁ − ω₀ × r₀. The printed rows are given the sign of (32).",
     )
-    .measure(measure("(33), r* = −[r]×", with_star(-1.0, &r1, &r0)))
-    .measure(measure("(33), r* = [r]×", with_star(1.0, &r1, &r0)))
-    .measure(measure("(34)", with_star(-1.0, &r0, &r1)).agreeing()))
+    .measure(measure("ċ by (33), r* = −[r]×", with_star(-1.0, &r1, &r0)))
+    .measure(measure("ċ by (33), r* = [r]×", with_star(1.0, &r1, &r0)))
+    .measure(measure("ċ by (34)", with_star(-1.0, &r0, &r1)).agreeing()))
 }
 
 /// E44: the sign of the contact's Jacobian, K&M (44).

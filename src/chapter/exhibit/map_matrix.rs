@@ -20,7 +20,7 @@ pub(super) fn empty_does_not_clear() -> Result<Finding> {
 
     let left = [stale.get(0, 0)?, stale.get(1, 0)?].map(f64::from);
     let none = [clear.get(0, 0), clear.get(1, 0)].map(f64::from);
-    let entry = Measure::new("second entry", "", left[1], none[1]);
+    let entry = Measure::new("entry after SetToZero", "", left[1], none[1]);
     let stored = Measure::new("entries stored", "", stale.stored() as f64, clear.stored() as f64);
     let sweeps = Measure::new("x after a sweep", "N s", swept(&left)?, swept(&none)?);
     Ok(Finding::new(
@@ -63,8 +63,8 @@ pub(super) fn data_column_by_column() -> Result<Finding> {
     Ok(Finding::new(
         "The numbers 1 to 6 as a matrix of 2 × 3, and 2, −1, −1, 2 as one of 2 × 2: what is in the first row?",
     )
-    .measure(measure("row 0, 1 to 6", 2, 3, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0])?)
-    .measure(measure("row 0, symmetric", 2, 2, &[2.0, -1.0, -1.0, 2.0])?.agreeing()))
+    .measure(measure("first row of 1 to 6", 2, 3, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0])?)
+    .measure(measure("first row, symmetric", 2, 2, &[2.0, -1.0, -1.0, 2.0])?.agreeing()))
 }
 
 /// E54: a sparse matrix that stores zeros, Code 11.

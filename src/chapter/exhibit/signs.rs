@@ -58,12 +58,13 @@ pub(super) fn figure_4() -> Result<Finding> {
     let next = |b: f64| -> Result<f64> {
         Ok(unconstrained + answer(Dantzig::NAME, &equations(&[1.0], &[b])?)?[0])
     };
-    let velocity = Measure::new("v⁺", "m/s", next(-unconstrained)?, next(unconstrained)?);
+    let velocity =
+        Measure::new("v⁺ on the floor", "m/s", next(-unconstrained)?, next(unconstrained)?);
     Ok(Finding::new(
         "Two bodies in a line, J = (−1, 1), pushed apart with λ = 3 N: the forces on both. Then a ball of \
          1 kg that comes to the floor at 1 m/s, J = 1, dt = 1/60 s: v + dt F/m = −1.1635 m/s. In the sign of \
          w = A x + b, corrected has b = −1.1635, printed b = 1.1635.",
     )
-    .measure(forces.truth(&[-3.0, 3.0], "Newton's third law", 1e-12))
-    .measure(velocity.truth(&[0.0], "the floor is rigid", 1e-12)))
+    .measure(velocity.truth(&[0.0], "the floor is rigid", 1e-12))
+    .measure(forces.truth(&[-3.0, 3.0], "Newton's third law", 1e-12)))
 }

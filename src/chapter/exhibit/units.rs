@@ -30,11 +30,8 @@ pub(super) fn step_without_dt() -> Result<Finding> {
     for (name, dt) in [("1/60", 1.0 / 60.0), ("1/1000", 1e-3), ("1", 1.0)] {
         let printed = velocity(dt, force(1.0, V + F)?);
         let corrected = velocity(dt, force(dt, V + dt * F)?);
-        let v = Measure::new(format!("v⁺, dt = {name} s"), "m/s", printed, corrected).truth(
-            &[0.0],
-            "the floor is rigid",
-            1e-12,
-        );
+        let v = Measure::new(format!("v⁺ on the floor, dt = {name} s"), "m/s", printed, corrected)
+            .truth(&[0.0], "the floor is rigid", 1e-12);
         finding = finding.measure(if dt == 1.0 { v.agreeing() } else { v });
     }
     let dt = DT;

@@ -15,9 +15,9 @@ use lcplab_testing::{assert_proved, contacts, tridiagonal};
 #[test]
 fn e01_no_number_obeys_the_printed_conditions_unless_it_is_at_a_limit() {
     // At y = 0 the third line excludes what the first demands; x = 10 with y = −10 obeys all three.
-    assert_eq!(both("E01", "y = 2x − 4"), [0.0, 1.0]);
-    assert_eq!(both("E01", "y = 2x, strict signs"), [0.0, 1.0]);
-    assert_eq!(both("E01", "y = 2x − 30"), [1.0, 1.0]);
+    assert_eq!(both("E01", "solutions of y = 2x − 4"), [0.0, 1.0]);
+    assert_eq!(both("E01", "the same, strict signs"), [0.0, 1.0]);
+    assert_eq!(both("E01", "solutions of y = 2x − 30"), [1.0, 1.0]);
 }
 
 #[test]

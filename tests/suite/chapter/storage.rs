@@ -38,7 +38,7 @@ fn compressed_rows_take_1204_bytes_in_3_arrays_and_nodes_13664_in_200() {
 
 #[test]
 fn a_full_list_is_seven_dense_matrices_and_breaks_even_at_a_seventh() {
-    assert_eq!(both("E57", "list : dense, full"), [28.0, 7.0]);
+    assert_eq!(both("E57", "full list : dense"), [28.0, 7.0]);
     assert_eq!(both("E57", "bytes, half full"), [70_000.0, 140_000.0]);
     // Of 10000 entries 1428 · 28 = 39984 bytes still fit into 40000.
     assert_eq!(measure("E57", "fill at break-even").truth, [0.1428]);
