@@ -347,13 +347,13 @@ impl Animation {
     }
 
     /// A small picture of the first recording: of the motion if few bodies move, so that the
-    /// earlier instants hide nothing, and of the start otherwise.
+    /// earlier instants hide nothing, and of its middle otherwise.
     pub(crate) fn thumbnail(&self, size: (f64, f64)) -> String {
         let first = self.recordings.first();
         let mut frames = first.map(|own| own.stills(STILLS.1)).unwrap_or_default();
         let is_moving = |body: &&Body| body.mass != Mass::Fixed;
         if self.scene.bodies.iter().filter(is_moving).count() > FEW {
-            frames.truncate(1);
+            frames = frames.get(frames.len() / 2).cloned().into_iter().collect();
         }
         Strip { view: self.view, ..Strip::new(&self.scene, frames) }.thumbnail(size)
     }

@@ -9,6 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
+use super::receipt::Stage;
 use crate::error::{Error, Result};
 use crate::solver::Registry;
 use lcplab_lcp::disk;
@@ -44,7 +45,7 @@ pub struct Defect {
     /// The release that corrected it, and the engine's number of the defect.
     pub source: String,
     /// The stage of an engine's step that was wrong.
-    pub stage: String,
+    pub stage: Stage,
     /// The run of the defective release.
     pub bad: Replay,
     /// The run of the corrected one.
@@ -64,7 +65,7 @@ pub struct Replay {
     /// The number of rejected steps.
     pub refused: usize,
     /// The stage of the first rejected step, and its error.
-    pub stage: Option<String>,
+    pub stage: Option<Stage>,
     /// What is wrong there.
     pub what: Option<String>,
     /// How the run is worse than that of the corrected release.
@@ -106,7 +107,7 @@ impl Defect {
 
     /// Whether the outcome contradicts the numbers of the runs.
     pub(crate) fn is_misjudged(&self) -> bool {
-        let is_at_stage = self.bad.stage.as_ref() == Some(&self.stage);
+        let is_at_stage = self.bad.stage == Some(self.stage);
         match self.outcome.as_str() {
             "detected" => self.bad.refused == 0 || !is_at_stage || self.mended.refused > 0,
             "detected by comparison" => self.bad.worse.is_empty() || self.mended.refused > 0,

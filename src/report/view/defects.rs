@@ -4,16 +4,14 @@ use super::{Headline, Outcome, ReportPage, View};
 use crate::number::{count, readable};
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::defects::{Defect, Plan, Record, Replay};
-
-/// The stage whose errors are those of the motion.
-const SOLVER: &str = "solver";
+use crate::report::study::receipt::Stage;
 
 impl View for Plan {
     const TITLE: &'static str = "Known defects of physics engines, replayed";
 
     fn show(&self, findings: &[Record], document: &mut ReportPage) {
         for Record { defects, .. } in findings {
-            document.table("defects", table(defects));
+            document.table("defects", table(&by_stage(defects)));
         }
     }
 
@@ -29,8 +27,8 @@ impl View for Plan {
              releases with known defects**{others}."
         );
         let label = "corrected releases accepted".into();
-        let result = Some([format!("{accepted} of {all}"), label]);
-        Headline { result, ..Headline::of(Some(answer)) }
+        let result = Some(([accepted, all], label));
+        Headline { result, table: example(&record.defects), ..Headline::of(Some(answer)) }
     }
 
     fn outcome(&self, findings: &[Record]) -> Outcome {
@@ -59,36 +57,48 @@ fn counts(record: &Record) -> [usize; 4] {
     [rejected, of(Defect::is_detected) - rejected, accepted, all.len()]
 }
 
-fn table(defects: &[Defect]) -> Table {
+fn by_stage(defects: &[Defect]) -> Vec<&Defect> {
+    let mut sorted: Vec<_> = defects.iter().collect();
+    sorted.sort_by_key(|defect| defect.stage);
+    sorted
+}
+
+/// The first rejected release and its correction, as their receipts describe them.
+fn example(defects: &[Defect]) -> Option<(String, Table)> {
+    let shown = by_stage(defects).into_iter().find(|defect| defect.outcome == "detected")?;
+    let row = |run: &Replay, says: &str, mark| {
+        let says = format!("{} of {} steps rejected{says}", run.refused, run.frames);
+        vec![Cell::text(run.versions.join(", ")), Cell::text(says).marked(mark)]
+    };
+    let error = format!(": {}: {}", shown.stage, said(shown));
+    let rows = vec![row(&shown.bad, &error, Mark::Bad), row(&shown.mended, "", Mark::Good)];
+    let title = format!("One scene before and after the correction: {}", shown.what);
+    Some(("receipt".into(), Table::new(title, "", "release | its receipts", rows)))
+}
+
+fn table(defects: &[&Defect]) -> Table {
     let rows = defects.iter().map(|defect| {
         let mark = match (defect.is_detected(), defect.bad.refused) {
             (true, 0) => Mark::Plain, // by comparison
             (true, _) => Mark::Good,
             (false, _) => Mark::Bad,
         };
-        let issue = match defect.source.split_once(", #") {
-            Some((release, issue)) => {
-                Cell { link: address(release, issue), ..Cell::text(format!("#{issue}")) }
-            }
-            None => Cell::text("–"),
-        };
+        let releases = format!("{} → {}", defect.bad.versions.join(", "), version(defect));
+        let address = defect.source.split_once(", #").map(|(engine, issue)| address(engine, issue));
         vec![
             Cell::text(&defect.what),
-            Cell::text(format!("{} → {}", defect.bad.versions.join(", "), version(defect))),
-            issue,
-            Cell::text(&defect.stage),
+            Cell::text(defect.stage.name()),
+            Cell { link: address.unwrap_or_default(), ..Cell::text(releases) },
             rejected(&defect.bad).marked(mark),
             rejected(&defect.mended),
             Cell::text(said(defect)),
         ]
     });
-    let how = "*rejected before* and *after*: the rejected steps of the defective and of the corrected release. \
-               *stage*: the part of the step that was wrong: collision (contacts and their geometry), assembly (the \
-               rows and matrices of the problem), solver, or write-back (new velocities and reported forces). *the \
-               receipt says*: the first error of the first rejected step or, if none is rejected, the comparison \
-               with the corrected release.";
-    let headings = "what was wrong | releases | issue | stage | #rejected before | #rejected after | \
-                    the receipt says";
+    let how = "*stage*: the part of the step that was wrong: collision (contacts and their geometry), assembly (the \
+               rows and matrices of the problem), solver, or write-back (new velocities and reported forces). \
+               *releases*: with a link to the issue, if it has one. *the receipt says*: the first error of the first \
+               rejected step or, if none is rejected, the comparison with the corrected release.";
+    let headings = "what was wrong | stage | releases | #rejected steps | #after the correction | the receipt says";
     Table::new("Steps rejected by receipts", how, headings, rows.collect())
 }
 
@@ -97,7 +107,7 @@ fn table(defects: &[Defect]) -> Table {
 fn said(defect: &Defect) -> String {
     let what = defect.bad.what.as_ref().or(defect.bad.worse.first());
     let signs = |words: &str| words.replace('_', " ").replace(" -", " −");
-    let size = defect.bad.largest_motion_error.filter(|_| defect.stage == SOLVER);
+    let size = defect.bad.largest_motion_error.filter(|_| defect.stage == Stage::Solver);
     match (what, size, &defect.bad.what) {
         (Some(what), Some(size), Some(_)) => {
             format!("{what}; relative error up to {}", readable(size, 2))
@@ -132,6 +142,7 @@ fn version(defect: &Defect) -> String {
 fn rejected(run: &Replay) -> Cell {
     match &run.unavailable {
         Some(why) => Cell::text(format!("{}: {why}", run.packages.join(", "))),
+        None if run.refused == 0 => Cell::count(0),
         None => Cell::text(format!("{} of {}", count(run.refused), count(run.frames))),
     }
 }

@@ -1,6 +1,7 @@
 //! The top of a page: what each study adds to it, and how that is put together.
 
 use super::{FILES, ReportPage};
+use crate::number::count;
 use crate::plot::Figure;
 use crate::report::page::{Block, Picture, Table, Tile};
 
@@ -13,8 +14,8 @@ pub struct Headline {
     pub figure: Option<Box<dyn Figure>>,
     /// A table below the figure, with the name of its file.
     pub table: Option<(String, Table)>,
-    /// The result of its checks, as a number and what it counts.
-    pub result: Option<[String; 2]>,
+    /// The number of its checks that succeed, the number of all, and what they check.
+    pub result: Option<([usize; 2], String)>,
 }
 
 impl Headline {
@@ -31,16 +32,25 @@ pub(super) struct Top {
     answer: Option<String>,
     figures: Vec<Box<dyn Figure>>,
     tables: Vec<(String, Table)>,
-    tiles: Vec<Tile>,
+    results: Vec<([usize; 2], Tile)>,
 }
 
 impl Top {
     /// Adds a section's part; returns its answer, figure and table for the section itself if an
-    /// earlier section has given an answer.
+    /// earlier section has given an answer. Results of the same checks are added up.
     pub fn add(&mut self, headline: Headline, section: &str, good: bool) -> Headline {
-        let tile =
-            |[value, label]: [String; 2]| Tile { value, label, section: section.into(), good };
-        self.tiles.extend(headline.result.clone().map(tile));
+        if let Some((counts, label)) = headline.result {
+            match self.results.iter_mut().find(|(_, tile)| tile.label == label) {
+                Some((sums, tile)) => {
+                    *sums = [sums[0] + counts[0], sums[1] + counts[1]];
+                    tile.good &= good;
+                }
+                None => {
+                    let tile = Tile { label, section: section.into(), good, ..Tile::default() };
+                    self.results.push((counts, tile));
+                }
+            }
+        }
         if self.answer.is_some() {
             return Headline { result: None, ..headline };
         }
@@ -51,18 +61,20 @@ impl Top {
     }
 
     /// Fills the top of the page; the tile of a section that is not shown leads to the summary.
-    pub fn put(mut self, lead: &str, summary: Option<&str>, document: &mut ReportPage) {
+    pub fn put(self, lead: &str, summary: Option<&str>, document: &mut ReportPage) {
         let is_shown =
             |tile: &Tile| document.page.sections.iter().any(|own| own.id == tile.section);
-        for tile in self.tiles.iter_mut().filter(|tile| !is_shown(tile)) {
-            tile.section = summary.unwrap_or(&tile.section).into();
-        }
+        let tile = |([some, all], tile): ([usize; 2], Tile)| {
+            let section = summary.filter(|_| !is_shown(&tile)).unwrap_or(&tile.section).into();
+            Tile { value: format!("{} of {}", count(some), count(all)), section, ..tile }
+        };
+        let tiles: Vec<Tile> = self.results.into_iter().map(tile).collect();
         let lead = Some(lead.trim().to_string()).filter(|lead| !lead.is_empty());
         let mut texts = self.answer.into_iter().chain(lead);
         document.page.lead = texts.next().unwrap_or_default();
         let opening = &mut document.page.opening;
-        if !self.tiles.is_empty() {
-            opening.push(Block::Tiles(self.tiles));
+        if !tiles.is_empty() {
+            opening.push(Block::Tiles(tiles));
         }
         for figure in self.figures {
             opening.push(Block::Figure(Picture::of(&*figure, FILES)));

@@ -1,7 +1,7 @@
 //! Scenes as animations.
 
 use super::animation::animation_block;
-use super::{Outcome, ReportPage, View};
+use super::{Headline, Outcome, ReportPage, View};
 use crate::report::page::markup::literal;
 use crate::report::page::{Block, Thumbnail};
 use crate::report::study::scenes::{Finding, Plan};
@@ -13,14 +13,23 @@ impl View for Plan {
         document.add(Block::Thumbnails(findings.iter().map(thumbnail).collect()));
     }
 
-    fn outcome(&self, findings: &[Finding]) -> Outcome {
-        let comes_to_its_end = |finding: &&Finding| {
-            finding.animation.recordings.iter().all(|recording| recording.ending.is_none())
-        };
-        let whole = findings.iter().filter(comes_to_its_end).count();
-        let says = format!("{whole} of {} scenes run to the end", findings.len());
-        Outcome { good: whole == findings.len(), says }
+    fn headline(&self, findings: &[Finding]) -> Headline {
+        let result = Some(([whole(findings), findings.len()], "scenes run to the end".into()));
+        Headline { result, ..Headline::default() }
     }
+
+    fn outcome(&self, findings: &[Finding]) -> Outcome {
+        let (whole, all) = (whole(findings), findings.len());
+        Outcome { good: whole == all, says: format!("{whole} of {all} scenes run to the end") }
+    }
+}
+
+/// The number of scenes without a step that fails.
+fn whole(findings: &[Finding]) -> usize {
+    let comes_to_its_end = |finding: &&Finding| {
+        finding.animation.recordings.iter().all(|recording| recording.ending.is_none())
+    };
+    findings.iter().filter(comes_to_its_end).count()
 }
 
 /// The width and height of a thumbnail in px.

@@ -36,9 +36,8 @@ impl View for Plan {
     fn headline(&self, findings: &[Vec<Row>]) -> Headline {
         let rows = || findings.iter().flatten();
         let passed = rows().filter(|row| row.passes()).count();
-        let value = format!("{passed} of {}", rows().count());
         let label = "numbers agree with their closed forms".into();
-        let result = Some([value, label]);
+        let result = Some(([passed, rows().count()], label));
         let figure: Box<dyn Figure> = Box::new(dots(&findings.concat()));
         let rows: Vec<&Row> = rows().collect();
         Headline { result, figure: Some(figure), ..Headline::of(answer(&rows)) }
@@ -52,9 +51,6 @@ impl View for Plan {
         Outcome { good: passed == all, says }
     }
 }
-
-/// The most failed numbers that the answer names; the table has all.
-const MOST_NAMED: usize = 3;
 
 /// Whether all numbers agree and, if not, which ones fail.
 fn answer(rows: &[&Row]) -> Option<String> {
@@ -73,21 +69,12 @@ fn answer(rows: &[&Row]) -> Option<String> {
             ))
         ),
         count => {
-            let named = failed.iter().take(MOST_NAMED).map(|row| {
-                let Row { case, method, quantity, .. } = row;
-                let [case, method, quantity] = [title(case), method, quantity].map(literal);
-                let [error, allowed] = error_and_allowed(row).map(|cell| cell.text);
-                format!("*{case}* ({method}), {quantity}: {error} instead of at most {allowed}")
-            });
-            let named: Vec<String> = named.collect();
-            let more = match count - named.len() {
-                0 => String::new(),
-                more => format!("; and {more} more"),
-            };
-            let verb = if count == 1 { "does" } else { "do" };
+            let Row { case, method, quantity, .. } = failed[0];
+            let [case, method, quantity] = [title(case), method, quantity].map(literal);
+            let [error, allowed] = error_and_allowed(failed[0]).map(|cell| cell.text);
             format!(
-                "**{count} of {all} numbers {verb} not agree with the closed form:** {}{more}.",
-                named.join("; ")
+                "**Failed: {count} of {all} numbers.** The first: *{case}* ({method}), {quantity}, {error} instead of at most \
+                 {allowed}."
             )
         }
     })
@@ -280,7 +267,6 @@ fn dots(rows: &[Row]) -> Bars {
     };
     bars.sort_by(|a, b| b.value.total_cmp(&a.value));
     let passed = rows.iter().filter(|row| row.passes()).count();
-    let steps = rows.iter().map(|row| row.samples.len()).max().unwrap_or(0);
     let title = match closest(&rows.iter().collect::<Vec<_>>()) {
         Some((row, share)) if passed == rows.len() => format!(
             "All {passed} errors are within their bounds; the closest, {share}: {}, {}",
@@ -295,8 +281,7 @@ fn dots(rows: &[Row]) -> Bars {
         caption: format!(
             "Each dot is one number. Its position is the error divided by the allowed error or, if theory \
                   gives an order, the difference between the observed and the derived order, divided by {ORDER_SLACK}. \
-                  The largest of each case has its value. Dots below 10⁻⁴ % lie at the left edge.{below} Numbers that \
-                  depend on the time step are computed with {steps} steps, each half the one before."
+                  The largest of each case has its value. Dots below 10⁻⁴ % lie at the left edge.{below}"
         ),
         x: Axis::log("error / allowed error", "%"),
         bars,

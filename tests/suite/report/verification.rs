@@ -100,8 +100,7 @@ fn the_answer_says_that_all_numbers_agree_or_names_those_that_do_not() {
     );
     assert_eq!(
         answer(&[&good, &wrong]),
-        "**1 of 2 numbers does not agree with the closed form:** *case* (velocity), height: \
-         error 0.25 instead of at most 10⁻⁹."
+        "**Failed: 1 of 2 numbers.** The first: *case* (velocity), height, error 0.25 instead of at most 10⁻⁹."
     );
     let page = ReportPage::of(&plan, &[vec![good, wrong]]);
     let (_, failed) = page.tables.iter().find(|(id, _)| id == "failed").unwrap();

@@ -40,7 +40,7 @@ pub struct Grades {
     pub caption: String,
     /// Groups of columns: the name of the group and those of its columns.
     pub groups: Vec<(String, Vec<String>)>,
-    /// The name of each row, and a cell for each column.
+    /// The name of each row, and a cell for each column; without cells it heads the rows below it.
     pub rows: Vec<(String, Vec<Grade>)>,
     /// The section of the page that each row leads to, and the tip on its name; may be empty.
     pub links: Vec<(String, String)>,
@@ -139,7 +139,7 @@ impl Figure for Grades {
             let count = cells.iter().filter(|grade| **grade == Grade::Obeyed).count();
             format!("{name}: {count} of {}", cells.len())
         };
-        let rows: Vec<String> = self.rows.iter().map(obeyed).collect();
+        let rows: Vec<String> = self.laws().map(obeyed).collect();
         canvas.finish(
             id,
             &self.title,
@@ -171,9 +171,14 @@ impl Figure for Grades {
 }
 
 impl Grades {
+    /// The rows with cells.
+    fn laws(&self) -> impl Iterator<Item = &(String, Vec<Grade>)> {
+        self.rows.iter().filter(|(_, cells)| !cells.is_empty())
+    }
+
     /// The left edge of the cells in px.
     fn left(&self) -> f64 {
-        let names = self.rows.iter().map(|(name, _)| style::width(name, TEXT)).fold(0.0, f64::max);
+        let names = self.laws().map(|(name, _)| style::width(name, TEXT)).fold(0.0, f64::max);
         style::EDGE + names + 10.0
     }
 
@@ -228,7 +233,7 @@ impl Grades {
                     canvas.text((middle, foot), Anchor::Middle, TEXT, FAINT_INK, name);
                 }
                 if self.has_counts {
-                    let own = self.rows.iter().map(|(_, cells)| cells[before + places.len()]);
+                    let own = self.laws().map(|(_, cells)| cells[before + places.len()]);
                     let obeyed = own.filter(|own| *own == Grade::Obeyed).count().to_string();
                     canvas.text((middle, foot + ROW), Anchor::Middle, TEXT, INK, &obeyed);
                 }
@@ -242,14 +247,17 @@ impl Grades {
         }
         for (k, (name, cells)) in self.rows.iter().enumerate() {
             let y = top + head + ROW * k as f64;
-            let link = self.links.get(k);
+            let link = self.links.get(k).filter(|_| !cells.is_empty());
             if let Some((section, tip)) = link {
                 let [section, tip] = [section, tip].map(|text| escape(text));
                 canvas.raw(&format!("<a href=\"#{section}\"><title>{tip}</title>"));
             }
-            canvas.text((left - 8.0, y + 14.0), Anchor::End, TEXT, INK, name);
+            match cells.is_empty() {
+                true => canvas.text((left, y + 14.0), Anchor::Start, TEXT, INK, name),
+                false => canvas.text((left - 8.0, y + 14.0), Anchor::End, TEXT, INK, name),
+            }
             canvas.raw(if link.is_some() { "</a>\n" } else { "" });
-            for (grade, x) in cells[before..].iter().zip(&places) {
+            for (grade, x) in cells.iter().skip(before).zip(&places) {
                 draw_cell(canvas, *grade, (*x, y), width);
             }
         }

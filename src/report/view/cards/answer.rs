@@ -17,6 +17,12 @@ const USES: [(&str, &[&str]); 7] = [
     ("Learning and optimization", &["predictability", "order", "repeat"]),
 ];
 
+/// The place of a law in the matrix: among those of the first use that requires it.
+pub fn place(law: &Phenomenon) -> (usize, &'static str) {
+    let place = USES.iter().position(|(_, names)| names.contains(&law.name.as_str()));
+    place.map_or((USES.len(), "Other"), |place| (place, USES[place].0))
+}
+
 /// How many engines obey all laws, and the one that obeys the most.
 pub fn of(record: &Record) -> String {
     let others = || record.engines.iter().filter(|engine| engine.name != OWN);

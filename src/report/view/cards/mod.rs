@@ -5,10 +5,10 @@ mod frames;
 mod phenomenon;
 
 use super::{Headline, Outcome, ReportPage, View};
-use crate::number::{count, readable};
+use crate::number::readable;
 use crate::plot::Figure;
 use crate::plot::grades::{Grade, Grades};
-use crate::report::page::{Block, Cell, Column, Mark, Table};
+use crate::report::page::{Block, Cell, Table};
 use crate::report::study::cards::{self, Engine, Phenomenon, Plan, Record};
 
 /// The two configurations in which external engines are run.
@@ -70,14 +70,6 @@ impl View for Plan {
                 asked.map(|own| format!("**{}**: {}", own.name.replace('_', " "), own.question));
             document.add(Block::Printed(asked.collect::<Vec<_>>().join(" ")));
             document.fold_rest();
-            for (name, id, words) in [
-                (DEFAULTS, "installed", "As installed"),
-                (ACCURATE, "accurate", "With settings for accuracy"),
-            ] {
-                document
-                    .table(&format!("cards_{id}"), matrix(record, words, &others(record, name)));
-            }
-            document.table("cards_schemes", matrix(record, "lcplab's own schemes", &own(record)));
             document.table("cards_settings", settings(record));
             frames::show(record, document);
             phenomenon::show_all(record, document);
@@ -92,10 +84,8 @@ impl View for Plan {
         let measured = || runs().flat_map(|column| &column.measured);
         let agree = measured().filter(|own| !own.is_misjudged()).count();
         let tests = runs().filter(|column| !column.measured.is_empty()).count();
-        let result = Some([
-            format!("{} of {}", count(agree), count(measured().count())),
-            format!("numbers measured in {tests} tests agree with the recorded verdicts"),
-        ]);
+        let label = format!("numbers measured in {tests} tests agree with the recorded verdicts");
+        let result = Some(([agree, measured().count()], label));
         Headline { result, figure: Some(figure), table, ..Headline::of(Some(answer::of(record))) }
     }
 
@@ -165,6 +155,16 @@ fn heat(record: &Record) -> Grades {
         let grades = ways.map(|(_, engine, settings)| grade(phenomenon, engine, settings));
         (phenomenon.name.replace('_', " "), grades.collect())
     };
+    let mut laws: Vec<&Phenomenon> = record.phenomena.iter().collect();
+    laws.sort_by_key(|law| answer::place(law).0);
+    let (mut rows, mut links) = (Vec::new(), Vec::new());
+    for laws in laws.chunk_by(|a, b| answer::place(a) == answer::place(b)) {
+        rows.push((answer::place(laws[0]).1.into(), Vec::new()));
+        links.push(Default::default());
+        rows.extend(laws.iter().map(|law| row(law)));
+        links
+            .extend(laws.iter().map(|law| (phenomenon::section(law).into(), law.question.clone())));
+    }
     let runs = record.phenomena.iter().flat_map(|own| &own.columns);
     let runs = runs.filter(|column| column.engine != OWN && column.settings == DEFAULTS);
     let measured = runs.filter(|column| column.unsupported.is_none());
@@ -177,13 +177,9 @@ fn heat(record: &Record) -> Grades {
              for thousands; ✗: the run failed; –: the engine or its adapter does not support the scene.{}",
             largest(record)
         ),
-        rows: record.phenomena.iter().map(row).collect(),
+        rows,
         has_counts: true,
-        links: record
-            .phenomena
-            .iter()
-            .map(|own| (phenomenon::section(own).into(), own.question.clone()))
-            .collect(),
+        links,
         groups: groups
             .iter()
             .map(|(name, ways)| {
@@ -226,36 +222,6 @@ fn grade(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Grade {
         (Some(worst), _) => Grade::Missed(worst.miss()),
         (None, Some(_)) => Grade::Missed(f64::INFINITY),
         (None, None) => Grade::Unknown,
-    }
-}
-
-fn matrix(record: &Record, title: &str, ways: &Ways<'_>) -> Table {
-    let row = |phenomenon: &Phenomenon| {
-        let link = format!("#{}", phenomenon::section(phenomenon));
-        let asked = Cell { link, ..Cell::text(&phenomenon.question) };
-        let cells = ways.iter().map(|(_, engine, settings)| cell(phenomenon, engine, settings));
-        std::iter::once(asked).chain(cells).collect()
-    };
-    let headings = ways.iter().map(|(heading, ..)| Column::words(heading));
-    Table {
-        title: title.into(),
-        columns: std::iter::once(Column::words("question")).chain(headings).collect(),
-        rows: record.phenomena.iter().map(row).collect(),
-        ..Table::default()
-    }
-}
-
-/// Whether an engine obeys a law, or its deviation.
-fn cell(phenomenon: &Phenomenon, engine: &str, settings: &str) -> Cell {
-    let of = |column: &&cards::Column| column.engine == engine && column.settings == settings;
-    let Some(column) = phenomenon.columns.iter().find(of) else { return Cell::text("–") };
-    match (column.worst(), &column.failed) {
-        _ if column.holds() => Cell::text("").marked(Mark::Good),
-        (Some(worst), _) => {
-            Cell { value: Some(worst.miss()), ..Cell::text(times(worst.miss())) }.marked(Mark::Bad)
-        }
-        (None, Some(_)) => Cell::text("failed").marked(Mark::Bad),
-        (None, None) => Cell::text("–"),
     }
 }
 

@@ -69,10 +69,8 @@ impl View for Plan {
         };
         let claimed = sum(|run| run.tally.claimed);
         let confirmed = claimed - sum(|run| run.tally.rejected_claims);
-        let result = Some([
-            format!("{} of {}", count(confirmed), count(claimed)),
-            "answers accepted by an independent judge".into(),
-        ]);
+        let result =
+            Some(([confirmed, claimed], "answers accepted by an independent judge".into()));
         let answer = self.held(findings);
         let figure = answer
             .is_some()

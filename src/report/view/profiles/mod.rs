@@ -4,7 +4,7 @@ mod failures;
 
 use super::attempt::{listed, tolerance};
 use super::{Headline, Outcome, ReportPage, View};
-use crate::number::{count as number, readable};
+use crate::number::readable;
 use crate::plot::profile::{Curve, Group as Line, Profiles};
 use crate::plot::{Axis, Bar, Bars, Figure};
 use crate::report::page::{Cell, Column, Mark, Table};
@@ -149,13 +149,13 @@ impl Plan {
     }
 
     /// The accepted answers, the most problems that a solver solves, and those solvers.
-    fn result(&self, tried: &[FamilyAttempts]) -> Option<[String; 2]> {
+    fn result(&self, tried: &[FamilyAttempts]) -> Option<([usize; 2], String)> {
         let last = self.tolerances.len().checked_sub(1)?;
         let (solvers, costs) = (solvers(tried), costs(tried, last));
         if solvers.is_empty() {
             return None;
         }
-        let all = |of| number(count(tried, None, None, of));
+        let all = |of| count(tried, None, None, of);
         let [solved, claimed] =
             [all(|own| own.outcome.is_solved()), all(|own| own.outcome.is_claim())];
         let words = format!(
@@ -164,7 +164,7 @@ impl Plan {
             costs.len(),
             self.tolerances.len()
         );
-        Some([format!("{solved} of {claimed}"), words])
+        Some(([solved, claimed], words))
     }
 
     /// By multiplications, at the last tolerance.
