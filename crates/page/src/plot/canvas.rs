@@ -21,8 +21,10 @@ const BOLD: f64 = 1.17;
 /// The height of a line of the title in px.
 const LINE: f64 = 22.0;
 
-/// A wide picture whose height is above this part of its width takes both columns of a sheet.
+/// A wide picture whose height is above this part of its width takes both columns of a sheet; above
+/// the other part, a narrow one does not fit beside a table.
 const BROAD: f64 = 0.85;
+const TALL: f64 = 1.5;
 
 /// The drawing area of plotters.
 pub type Layer<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -171,8 +173,11 @@ impl Canvas {
     pub fn finish(self, id: &str, title: &str, description: &str) -> String {
         let title = if title.is_empty() { description } else { title };
         let (id, title, description) = (escape(id), escape(title), escape(description));
-        let is_broad = self.width >= WIDTH && self.height > BROAD * self.width;
-        let class = if is_broad { " class=\"broad\"" } else { "" };
+        let class = match self.height / self.width {
+            ratio if self.width >= WIDTH && ratio > BROAD => " class=\"broad\"",
+            ratio if self.width < WIDTH && ratio > TALL => " class=\"tall\"",
+            _ => "",
+        };
         // To a screen reader an image is one thing, so that links in it could not be reached.
         let role = if self.body.contains("<a ") { "group" } else { "img" };
         format!(

@@ -9,7 +9,7 @@ use crate::report::view::attempt::{
     anchor, iterations_in_words, listed, outcome as outcome_cell, rough, tolerance,
 };
 use crate::report::view::{Headline, Outcome, ReportPage};
-use crate::solver::{Group, Mprgp, Pgs, Registry};
+use crate::solver::{Group, Pgs, Registry};
 
 /// The value at which a residual of exactly 0 is drawn on a logarithmic axis.
 const LEAST: f64 = 1e-17;
@@ -66,9 +66,8 @@ fn by_cost(progress: &Progress) -> Vec<&MethodProgress> {
 }
 
 fn answer(progress: &Progress, first: &MethodProgress, choices: &[&Progress]) -> String {
-    let stack =
-        format!("a stack of {} ({} rows)", in_words(&progress.problem), count(progress.rows));
-    let Some(decision) = decision(choices) else {
+    let Some([use_it, why_not]) = decision(choices) else {
+        let stack = in_words(&progress.problem);
         let iterations = first.marks.last().map_or(0, |end| end.iteration);
         let part = budget(progress).map_or(String::new(), |ten| {
             let part = readable((100.0 * work(first) / ten).round(), 3);
@@ -76,16 +75,19 @@ fn answer(progress: &Progress, first: &MethodProgress, choices: &[&Progress]) ->
         });
         let iterations = iterations_in_words(&first.solver, iterations);
         let named = named(&first.solver);
-        return format!("The problem is {stack}; {named} is cheapest: {iterations}{part}.");
+        return format!(
+            "The problem is a stack of {stack}; {named} is cheapest: {iterations}{part}."
+        );
     };
     let left = left(progress).map_or(String::new(), |share| {
         format!(
-            " Ten sweeps of *pgs* (projected Gauss-Seidel), a typical budget in engines, leave {share} of its weight \
-             unsupported, because a sweep passes the load only from contact to contact{}.",
+            " On {} (Figure 1), ten sweeps of *pgs* (projected Gauss-Seidel), a typical budget in engines, leave {share} \
+             of the weight unsupported: a sweep passes load only from contact to contact{}.",
+            in_words(&progress.problem),
             supported(progress, first).unwrap_or_default()
         )
     });
-    format!("{decision} Figure 1 shows {stack}.{left}")
+    format!("{use_it}{left}{why_not}")
 }
 
 /// What PGS needs to support nearly the whole weight.
@@ -139,7 +141,7 @@ fn default<'a>(choices: &[&'a Progress]) -> Option<(&'a str, f64)> {
 }
 
 /// The default, and why it is not the cheapest solver of some of the problems.
-fn decision(choices: &[&Progress]) -> Option<String> {
+fn decision(choices: &[&Progress]) -> Option<[String; 2]> {
     let (solver, most) = default(choices)?;
     let kind = |progress: &Progress| match progress.problem.contains(", mass ratio ") {
         true => "stacks".to_string(),
@@ -160,29 +162,19 @@ fn decision(choices: &[&Progress]) -> Option<String> {
         });
         let (high, low, worst) = costs.max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))?;
         Some(format!(
-            " *{rival}* is cheaper for the {}, but for the {worst} it costs as much as {} sweeps of *pgs*, *{solver}* \
-             only {} (pivoting is counted with dense matrices).",
+            " *{rival}* is cheaper for the {}, but for the {worst} it costs as much as {} sweeps of *pgs*, *{solver}* {}.",
             listed(&kinds),
             rough(high),
             rough(low)
         ))
     });
-    Some(format!(
+    let use_it = format!(
         "**Use *{solver}*: it solves all {} problems of Table 1, at no more than about {} times the cost of the \
-         cheapest solver.**{}{}",
+         cheapest solver.**",
         choices.len(),
-        rough(most),
-        reason(solver),
-        why_not.unwrap_or_default()
-    ))
-}
-
-/// Why a solver is fast, at its first mention.
-fn reason(solver: &str) -> &str {
-    match solver {
-        Mprgp::NAME => " Its conjugate gradients within the bounds correct all contacts at once.",
-        _ => "",
-    }
+        rough(most)
+    );
+    Some([use_it, why_not.unwrap_or_default()])
 }
 
 /// The share of the weight that ten sweeps of PGS leave unsupported.
@@ -257,8 +249,7 @@ fn costs(progress: &Progress, solved: &[&MethodProgress], default: Option<(&str,
         id: id(&progress.problem, "costs"),
         title: title(progress, solved, default.map_or("", |(solver, _)| solver)),
         caption: format!(
-            "{} ({} rows): multiplications needed to reach a scaled residual of {} (leading term of the operation \
-             count), starting from x = 0. Right: relative to the cheapest.{}",
+            "{} ({} rows): multiplications needed to reach a scaled residual of {}. Right: relative to the cheapest.{}",
             progress.problem,
             count(progress.rows),
             tolerance(progress.tolerance),
