@@ -1,5 +1,5 @@
-//! What do direct and Newton-like methods cost on definite problems, compared with clarabel, and
-//! how much does a start from the last active set save?
+//! What do direct and Newton-like methods cost on definite problems and on a large net, compared
+//! with clarabel, and how much does a start from the last active set save?
 
 mod contest;
 
@@ -10,7 +10,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use lcplab::error::Result;
 use lcplab::lcp::Lcp;
 use lcplab::solver::{BlockPivoting, Settings, Solution, Solver, Start, Warm};
-use lcplab_benches::problems::Bounds;
+use lcplab_benches::problems::{Bounds, posed};
 
 const SOLVERS: [&str; 5] = ["dantzig", "block-pivoting", "lemke", "newton", "interior-point"];
 const CONDITION: f64 = 400.0;
@@ -61,5 +61,13 @@ fn moved(lcp: &Lcp, answer: &Solution) -> Result<Lcp> {
     lcp.with_b(b.collect())
 }
 
-criterion_group!(benches, definite, warm_factor);
+/// A large sparse A: a net, one row a rod.
+fn net(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("net");
+    group.sample_size(10).measurement_time(Duration::from_secs(5));
+    let posed = posed("net", 3).expect("a step");
+    contest::all(&mut group, "net", &posed.lcp, 2e-7, &["interior-point"]);
+}
+
+criterion_group!(benches, definite, net, warm_factor);
 criterion_main!(benches);

@@ -139,9 +139,6 @@ pub(crate) const VANISHED_SLACK: f64 = 1e-12;
 /// The minimum of the diagonal that an interior point method adds to A, relative to a_ii: it
 /// compensates for the rounding of a singular A.
 pub(crate) const MIN_ADDED: f64 = 1e-12;
-/// The same for rows without bounds if the equations are those of the velocities, which contain the
-/// inverse of the added diagonal.
-pub(crate) const MIN_ADDED_WITHOUT_BOUNDS: f64 = 1e-8;
 /// The minimum of the diagonal that an interior point method adds to a monotone A that is not
 /// symmetric, relative to the size of the row: it makes dependent equations solvable, and a few
 /// corrections remove its effect.
@@ -152,9 +149,6 @@ pub(crate) const LATE: f64 = 1e-3;
 /// Entries below this fraction of the largest |x| are rounding errors of 0: 64 units in the last
 /// place.
 pub(crate) const DUST: f64 = 64.0 * f64::EPSILON;
-/// a_ii and Ĵ_i Ĵ_iᵀ count as equal up to this relative difference: far above rounding, far below
-/// any compliance that matters.
-pub(crate) const SAME_DIAGONAL: f64 = 1e-9;
 /// Newton's method for cones begins with this fraction ε of each row's scale added to the diagonal
 /// of A: the solution of such a compliant problem is near the start x = 0.
 pub(crate) const FIRST_ADDED_DIAGONAL: f64 = 0.1;

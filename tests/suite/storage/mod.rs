@@ -1,7 +1,6 @@
 //! The chapter's matrices: the same behavior for every form of storage.
 
 mod errors;
-mod factored_sweeps;
 mod impulses;
 mod laws;
 mod memory;

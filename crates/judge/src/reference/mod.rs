@@ -3,9 +3,8 @@
 //! [`box_qp`] lets clarabel, an interior-point code, minimize ½ xᵀAx + bᵀx over the box: the dual
 //! program, in impulses. Newton's steps from there reach the bounds (up to 400 rows). [`gauss`]
 //! computes the motion of least constraint: the primal program, in velocities, which never forms A.
-//! [`cone_qp`] is the dual program with friction cones,
-//! [`velocity_qp_to`] the dual program with A in factors. [`farkas`] guesses a proof that there is
-//! no solution.
+//! [`cone_qp`] is the dual program with friction cones. [`farkas`] guesses a proof that there is no
+//! solution.
 
 mod box_qp;
 mod cone_qp;
@@ -13,13 +12,11 @@ mod farkas;
 mod gauss;
 mod program;
 mod refine;
-mod velocity_qp;
 
 pub use box_qp::{box_qp, box_qp_to, box_qp_within};
 pub use cone_qp::{cone_qp, cone_qp_within};
 pub use farkas::farkas;
 pub use gauss::gauss;
-pub use velocity_qp::velocity_qp_to;
 
 use lcplab_lcp::Complementarity;
 use lcplab_lcp::friction::Contact;

@@ -2,7 +2,7 @@ use lcplab_lcp::{Lcp, Matrix, dot};
 use lcplab_solver::{InteriorPoint, Settings, Solver, Start, Status};
 use proptest::prelude::*;
 
-use lcplab_testing::{Iterates, assert_proved, boxed, cases, iterates, manufactured, stack};
+use lcplab_testing::{INF, Iterates, assert_proved, boxed, cases, iterates, manufactured, stack};
 
 #[test]
 fn the_number_of_iterations_hardly_depends_on_the_size() {
@@ -213,4 +213,50 @@ fn program(n: usize, rank: usize) -> impl Strategy<Value = Program> {
         let lcp = Lcp::new(Matrix::dense(2 * n, &a), b, lo, vec![f64::INFINITY; 2 * n]).unwrap();
         Program { lcp, minimum: [y, lambda].concat(), variables: n }
     })
+}
+
+fn to_eleven_digits() -> InteriorPoint {
+    InteriorPoint { settings: Settings::default().with_tolerance(1e-11) }
+}
+
+/// 200 points in a row, numbered so that neighbors are far apart: an envelope would be half of n².
+fn scattered(lo: f64, hi: f64) -> (Lcp, Vec<f64>) {
+    let n = 200;
+    let place = |i: usize| 67 * i % n;
+    let mut entries: Vec<_> = (0..n).map(|i| (i, i, 2.5)).collect();
+    for (i, j) in (1..n).map(|i| (place(i - 1), place(i))) {
+        entries.extend([(i, j, -1.0), (j, i, -1.0)]);
+    }
+    let matrix = Matrix::sparse(n, &entries);
+    let x: Vec<f64> = (0..n).map(|i| f64::from(i as u32 % 5) - 2.0).collect();
+    let w = |x: f64| if x == lo { 0.5 } else { 0.0 }; // a lower bound that holds pushes back
+    let b = (0..n).map(|i| w(x[i]) - matrix.row_dot(i, &x)).collect();
+    (Lcp::new(matrix, b, vec![lo; n], vec![hi; n]).unwrap(), x)
+}
+
+#[test]
+fn rows_that_reach_far_are_reordered_and_the_known_solution_is_found() {
+    for (lo, hi) in [(-INF, INF), (-2.0, INF), (-2.0, 5.0)] {
+        let (lcp, expected) = scattered(lo, hi);
+        let solution = to_eleven_digits().solve(&lcp, &Start::default(), &mut ());
+        assert_eq!(solution.status, Status::Solved);
+        for (x, expected) in solution.x.iter().zip(&expected) {
+            assert!((x - expected).abs() < 1e-9, "{x} for {expected}");
+        }
+    }
+}
+
+#[test]
+fn a_pinned_row_stays_where_it_is_in_any_order() {
+    let (lcp, expected) = scattered(-INF, INF);
+    let pinned = |i: usize| i.is_multiple_of(3);
+    let x = &expected;
+    let bound = |open: f64| (0..lcp.len()).map(move |i| if pinned(i) { x[i] } else { open });
+    let (lo, hi) = (bound(-INF).collect(), bound(INF).collect());
+    let lcp = Lcp::new(lcp.matrix().clone(), lcp.b().to_vec(), lo, hi).unwrap();
+    let solution = to_eleven_digits().solve(&lcp, &Start::default(), &mut ());
+    assert_eq!(solution.status, Status::Solved);
+    for (i, (x, expected)) in solution.x.iter().zip(&expected).enumerate() {
+        assert!(if pinned(i) { x == expected } else { (x - expected).abs() < 1e-9 });
+    }
 }

@@ -174,58 +174,6 @@ impl System {
         value.max(lo).min(hi)
     }
 
-    /// The number of bodies.
-    pub fn bodies(&self) -> usize {
-        self.bodies
-    }
-
-    /// a_ii.
-    pub fn diagonal(&self, i: usize) -> f64 {
-        self.rows[i].diagonal()
-    }
-
-    /// v = Ĵᵀ x, [`WIDTH`] components per body.
-    pub fn transposed_product(&self, x: &[f64]) -> Vec<f64> {
-        let mut v = vec![[0.0; WIDTH]; self.bodies];
-        for pair in self.pairs() {
-            let mut sum = [[0.0; WIDTH]; 2];
-            for (row, x) in self.rows[pair.clone()].iter().zip(&x[pair.clone()]) {
-                let entries = row.jacobian.as_flattened();
-                sum.as_flattened_mut().iter_mut().zip(entries).for_each(|(sum, j)| *sum += j * x);
-            }
-            for (body, sum) in self.rows[pair.start].bodies.into_iter().zip(&sum) {
-                v[body].iter_mut().zip(sum).for_each(|(v, sum)| *v += sum);
-            }
-        }
-        v.as_flattened().to_vec()
-    }
-
-    /// Ĵ v.
-    pub fn product(&self, v: &[f64]) -> Vec<f64> {
-        let (v, _) = v.as_chunks::<WIDTH>();
-        let row = |row: &Row| {
-            let [p, q] = row.bodies;
-            let [j_p, j_q] = &row.jacobian;
-            (0..WIDTH).map(|k| j_p[k] * v[p][k] + j_q[k] * v[q][k]).sum()
-        };
-        self.rows.iter().map(row).collect()
-    }
-
-    /// w = Ĵ Ĵᵀ x + b.
-    pub fn w(&self, x: &[f64]) -> Vec<f64> {
-        let product = self.product(&self.transposed_product(x));
-        product.iter().zip(&self.aims).map(|(w, aim)| w + aim.b).collect()
-    }
-
-    /// Runs of rows between the same two bodies.
-    pub(crate) fn pairs(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
-        let mut end = 0;
-        self.rows.chunk_by(|a, b| a.bodies == b.bodies).map(move |run| {
-            end += run.len();
-            end - run.len()..end
-        })
-    }
-
     /// The size of its arrays in bytes.
     pub fn bytes(&self) -> usize {
         bytes(&self.rows) + bytes(&self.aims) + bytes(&self.inverse)

@@ -22,9 +22,8 @@
 //! semidefinite A. A singular A is no difficulty, because the bounds add to the diagonal (rows
 //! without bounds get 10⁻¹² a_ii; without any bounds a single iteration is Cholesky's method). Each
 //! iteration factorizes a matrix with the pattern of A: n³/6 products for a dense A, n b²/2 for
-//! bandwidth b. If the factors of A = J M⁻¹ Jᵀ are available ([`InteriorPoint::solve_factored`]),
-//! the rows are eliminated instead, and the matrix to factorize has six rows per body. If solutions
-//! are not unique, the method finds one in the middle of the solution set.
+//! bandwidth b. If solutions are not unique, the method finds one in the middle of the solution
+//! set.
 //!
 //! If A is not symmetric, each iteration factorizes A + D by LU (`general.rs`), and near the end of
 //! the path the point of the suggested active set is tried, whose accuracy is that of the
@@ -39,20 +38,16 @@ mod general;
 mod path;
 mod rows;
 mod step;
-mod velocities;
 
 use general::General;
 use path::Path;
 use rows::Rows;
 use step::StepEquations;
-use velocities::Velocities;
 
 use std::ops::ControlFlow;
 
 use crate::iterate::iterate;
-use crate::kernel::impulses::System;
 use crate::metric;
-use crate::tolerances::SAME_DIAGONAL;
 use crate::{Observer, Settings, Solution, Solver, Start, Status, frozen};
 use lcplab_lcp::memory::Memory;
 use lcplab_lcp::{Lcp, merit};
@@ -92,43 +87,6 @@ impl Solver for InteriorPoint {
 }
 
 impl InteriorPoint {
-    /// The same with the factors of A = Ĵ Ĵᵀ: each step is solved for velocities, six per body,
-    /// which is less work than for rows wherever bodies have more than a few rows. A itself is used
-    /// only to test whether x is a solution.
-    ///
-    /// ```
-    /// use lcplab_lcp::{Lcp, Matrix};
-    /// use lcplab_solver::kernel::impulses::{Row, System};
-    /// use lcplab_solver::{InteriorPoint, Start};
-    ///
-    /// // A body of 4 kg reaches the ground with 2 m/s: Ĵ = 1/√4, A = 1/4 and x = 8 N s.
-    /// let lcp = Lcp::new(Matrix::from([[0.25]]), vec![-2.0], vec![0.0], vec![f64::INFINITY])?;
-    /// let jacobian = [[0.5, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; 6]];
-    /// let row = Row { bodies: [0, 0], jacobian };
-    /// let system = System::new(1, &[row], &lcp).expect("no zero row");
-    /// let solver = InteriorPoint::default();
-    /// let solution = solver.solve_factored(&lcp, &system, &Start::default(), &mut ());
-    /// assert!((solution.x[0] - 8.0).abs() < 1e-6);
-    /// # Ok::<(), lcplab_lcp::error::Error>(())
-    /// ```
-    pub fn solve_factored(
-        &self,
-        lcp: &Lcp,
-        system: &System,
-        start: &Start<'_>,
-        observer: &mut dyn Observer,
-    ) -> Solution {
-        let x = start.point(lcp);
-        if !has_factors(lcp, system) {
-            let reason = "A is not the product of these factors";
-            return Solution::new(lcp, x, Status::OutsideClass { reason }, 0);
-        }
-        match Velocities::of(system, |entries| self.fit(entries)) {
-            Ok(mut velocities) => self.follow(lcp, x, &mut velocities, observer),
-            Err(status) => Solution::new(lcp, x, status, 0),
-        }
-    }
-
     /// Checks that factors may have this many entries.
     fn fit(&self, entries: usize) -> Result<(), Status> {
         match self.settings.refusal(Memory::numbers(entries)) {
@@ -168,15 +126,4 @@ impl InteriorPoint {
             })
         })
     }
-}
-
-/// Whether A has the diagonal of Ĵ Ĵᵀ; for example, compliance is not part of the factors.
-fn has_factors(lcp: &Lcp, system: &System) -> bool {
-    let matrix = lcp.matrix();
-    let are_as_many = system.rows().len() == matrix.len();
-    are_as_many
-        && (0..matrix.len()).all(|i| {
-            let a = system.diagonal(i);
-            (a - matrix.diagonal(i)).abs() <= SAME_DIAGONAL * a
-        })
 }
