@@ -8,14 +8,15 @@
 //! Sums run over ascending columns, as in [`Pgs`](crate::solver), so x is bitwise identical in
 //! every format.
 
-use super::{Error, Result, Storage, check_length};
+use super::Storage;
+use crate::error::{Error, Result};
 use crate::lcp::Lcp;
 
 /// One sweep over the rows of an LCP whose A is stored in `a`; the LCP's own matrix is not used.
 ///
 /// ```
 /// use lcplab::lcp::{Lcp, Matrix};
-/// use lcplab::storage::{LinkedList, Storage, sweep};
+/// use lcplab::storage::{LinkedList, sweep};
 ///
 /// let lcp = Lcp::new(
 ///     Matrix::dense(2, &[2.0, -1.0, -1.0, 2.0]),
@@ -23,8 +24,7 @@ use crate::lcp::Lcp;
 ///     vec![0.0; 2],
 ///     vec![f64::INFINITY; 2],
 /// )?;
-/// let mut a = LinkedList::new(2, 2);
-/// a.load(&[(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0), (1, 1, 2.0)])?;
+/// let a = LinkedList::of(2, 2, &[(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0), (1, 1, 2.0)]);
 /// let mut x = [0.0; 2];
 /// sweep(&lcp, &a, &mut x)?;
 /// assert_eq!(x, [0.5, 0.0]);
@@ -32,12 +32,12 @@ use crate::lcp::Lcp;
 /// ```
 ///
 /// # Errors
-/// [`Error::Length`]; [`Error::Diagonal`] for a row that is not pinned and has no positive diagonal
-/// entry.
+/// If a row that is not pinned has no positive diagonal entry.
+///
+/// # Panics
+/// If the sizes differ.
 pub fn sweep(lcp: &Lcp, a: &dyn Storage, x: &mut [f64]) -> Result<()> {
-    check_length("x", x.len(), lcp.len())?;
-    check_length("A's rows", a.rows(), lcp.len())?;
-    check_length("A's columns", a.columns(), lcp.len())?;
+    assert_eq!([x.len(), a.rows()], [lcp.len(); 2], "sizes");
     for i in 0..x.len() {
         let (mut sum, mut diagonal) = (0.0, 0.0);
         a.visit_row(i, &mut |j, value| {
@@ -45,18 +45,16 @@ pub fn sweep(lcp: &Lcp, a: &dyn Storage, x: &mut [f64]) -> Result<()> {
             if j == i {
                 diagonal = value;
             }
-        })?;
-        x[i] = updated(lcp, x, i, sum + lcp.b()[i], diagonal)?;
+        });
+        let divisor = match diagonal {
+            positive if positive > 0.0 => positive,
+            _ if lcp.lo()[i] == lcp.hi()[i] => 1.0,
+            _ => {
+                let reason = format!("must be positive, is {diagonal}");
+                return Err(Error::invalid("matrix", format!("diagonal of row {i}"), reason));
+            }
+        };
+        x[i] = lcp.project(i, x[i] - (sum + lcp.b()[i]) / divisor, x);
     }
     Ok(())
-}
-
-/// Π_i(x_i − w_i / a_ii); a pinned row needs no diagonal entry.
-fn updated(lcp: &Lcp, x: &[f64], i: usize, w: f64, diagonal: f64) -> Result<f64> {
-    let diagonal = match diagonal {
-        positive if positive > 0.0 => positive,
-        _ if lcp.lo()[i] == lcp.hi()[i] => 1.0,
-        _ => return Err(Error::Diagonal { row: i, diagonal }),
-    };
-    Ok(lcp.project(i, x[i] - w / diagonal, x))
 }

@@ -27,7 +27,6 @@ mod cause;
 mod error;
 mod mistake;
 mod status;
-mod storage;
 
 /// The name in a pattern such as `Status::Ray { .. }`.
 fn name(pattern: &str) -> &str {

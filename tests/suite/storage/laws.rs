@@ -1,85 +1,45 @@
-use lcplab::storage::{ALL, Kind, Storage};
+use lcplab::storage::{ALL, Entry};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
-use super::{in_order, values};
 use lcplab_testing::cases;
 
 const ROWS: usize = 9;
 const COLUMNS: usize = 14; // two bodies of six columns, and a part of a third
 
-/// The entries of a matrix that are not zero, row by row, by the definition.
-fn rows_of(matrix: &DMatrix<f64>) -> Vec<Vec<(usize, f64)>> {
-    let row = |i| {
-        let entries = (0..matrix.ncols()).map(|j| (j, matrix[(i, j)]));
-        entries.filter(|(_, value)| *value != 0.0).collect()
-    };
-    (0..matrix.nrows()).map(row).collect()
-}
-
-fn filled(kind: &Kind, entries: &[(usize, usize, f64)]) -> Box<dyn Storage> {
-    let mut storage = (kind.new)(ROWS, COLUMNS);
-    entries.iter().for_each(|&(i, j, value)| storage.set(i, j, value).unwrap());
-    storage
+/// Entries in order, some of them zero.
+fn entries() -> impl Strategy<Value = Vec<Entry>> {
+    let value = prop_oneof![2 => Just(0.0), 5 => -9.0..9.0f64];
+    proptest::collection::btree_map((0..ROWS, 0..COLUMNS), value, 0..80)
+        .prop_map(|map| map.into_iter().map(|((i, j), value)| (i, j, value)).collect())
 }
 
 proptest! {
     #![proptest_config(cases(200))]
 
     #[test]
-    fn every_storage_holds_what_a_plain_matrix_holds(entries in values(ROWS, COLUMNS)) {
+    fn every_storage_holds_what_a_plain_matrix_holds(entries in entries()) {
         let mut plain = DMatrix::zeros(ROWS, COLUMNS);
         entries.iter().for_each(|&(i, j, value)| plain[(i, j)] = value);
-        let rows = rows_of(&plain);
         for kind in &ALL {
-            let storage = filled(kind, &entries);
+            let storage = (kind.of)(ROWS, COLUMNS, &entries);
+            prop_assert_eq!(storage.rows(), ROWS);
             for i in 0..ROWS {
-                prop_assert_eq!(&storage.row(i).unwrap(), &rows[i], "{} row {}", kind.name, i);
-                for j in 0..COLUMNS {
-                    prop_assert_eq!(storage.get(i, j).unwrap(), plain[(i, j)], "{}", kind.name);
-                }
+                let row = (0..COLUMNS).map(|j| (j, plain[(i, j)]));
+                let row: Vec<(usize, f64)> = row.filter(|(_, value)| *value != 0.0).collect();
+                prop_assert_eq!(storage.row(i), row, "{} row {}", kind.name, i);
             }
-        }
-    }
-
-    #[test]
-    fn what_is_loaded_at_once_is_what_is_set_one_by_one(entries in values(ROWS, COLUMNS)) {
-        for kind in &ALL {
-            let one_by_one = filled(kind, &entries);
-            let mut loaded = filled(kind, &[(1, 1, 5.0), (8, 13, 5.0)]);
-            loaded.load(&in_order(&entries)).unwrap();
-            prop_assert_eq!(loaded.stored(), one_by_one.stored(), "{}", kind.name);
-            for i in 0..ROWS {
-                prop_assert_eq!(loaded.row(i).unwrap(), one_by_one.row(i).unwrap(), "{}", kind.name);
-            }
-        }
-    }
-
-    #[test]
-    fn a_reset_matrix_is_zero_and_takes_another_size(entries in values(ROWS, COLUMNS)) {
-        for kind in &ALL {
-            let mut storage = filled(kind, &entries);
-            storage.reset(3, 20).unwrap();
-            prop_assert_eq!((storage.rows(), storage.columns()), (3, 20));
-            prop_assert!((0..3).all(|i| storage.row(i).unwrap().is_empty()), "{}", kind.name);
-            storage.set(2, 19, 4.0).unwrap();
-            prop_assert_eq!(storage.row(2).unwrap(), [(19, 4.0)], "{}", kind.name);
         }
     }
 }
 
 #[test]
-fn code_11_corrected_clears_and_drops_zeros() {
-    use lcplab::storage::MapOfMaps;
-    // E52: as printed, 5 stays 5 after SetToZero.
-    let mut map = MapOfMaps::new(2, 3);
-    map.set(1, 1, 5.0).unwrap();
-    map.reset(2, 3).unwrap();
-    assert_eq!((map.get(1, 1).unwrap(), map.stored()), (0.0, 0));
-    // E54: 100 × 100 written through Set keeps 10000 entries for 100.
-    let mut identity = MapOfMaps::new(100, 100);
-    for k in 0..10_000 {
-        identity.set(k / 100, k % 100, f64::from(u8::from(k % 101 == 0))).unwrap();
+fn what_is_no_matrix_in_order_is_refused_in_every_storage() {
+    let twice = [(0, 1, 1.0), (0, 1, 2.0)];
+    let bad: [&[Entry]; 4] = [&[(2, 0, 1.0)], &[(0, 3, 1.0)], &[(0, 0, f64::NAN)], &twice];
+    for kind in &ALL {
+        for entries in bad {
+            assert!(std::panic::catch_unwind(|| (kind.of)(2, 3, entries)).is_err(), "{entries:?}");
+        }
     }
-    assert_eq!(identity.stored(), 100);
 }

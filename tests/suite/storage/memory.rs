@@ -5,17 +5,12 @@ fn first(k: usize) -> Vec<Entry> {
     (0..k).map(|k| (k / 100, k % 100, 1.0)).collect()
 }
 
-fn bytes(mut storage: impl Storage, k: usize) -> usize {
-    storage.load(&first(k)).unwrap();
-    storage.bytes()
-}
-
 #[test]
 fn a_dense_matrix_takes_its_size_whatever_it_holds() {
     // The chapter's 40,000 bytes are right for its 4-byte float; f64 takes twice that.
     assert_eq!(100 * 100 * size_of::<f32>(), 40_000);
     for k in [0, 100, 10_000] {
-        assert_eq!(bytes(Dense::new(100, 100), k), 80_000);
+        assert_eq!(Dense::of(100, 100, &first(k)).bytes(), 80_000);
     }
 }
 
@@ -28,14 +23,14 @@ fn a_list_breaks_even_at_the_ratio_of_number_to_entry() {
     assert_eq!(chapter(5_000), 140_000);
     assert!(chapter(1_428) < 40_000 && 40_000 < chapter(1_429)); // 14.3 %
     // Ours: 24 beside 8. Linear in the entries, break-even at 1/3.
-    let list = |k| bytes(LinkedList::new(100, 100), k);
+    let list = |k| LinkedList::of(100, 100, &first(k)).bytes();
     assert_eq!((list(0), list(1), list(5_000), list(10_000)), (0, 24, 120_000, 240_000));
     assert!(list(3_333) < 80_000 && 80_000 < list(3_334));
 }
 
 #[test]
 fn compressed_rows_take_twelve_bytes_an_entry_and_four_a_row() {
-    let compressed = |k| bytes(CompressedRows::new(100, 100), k);
+    let compressed = |k| CompressedRows::of(100, 100, &first(k)).bytes();
     assert_eq!((compressed(0), compressed(100)), (404, 1_604));
     assert!(compressed(6_633) <= 80_000 && 80_000 < compressed(6_634));
 }
@@ -43,11 +38,7 @@ fn compressed_rows_take_twelve_bytes_an_entry_and_four_a_row() {
 #[test]
 fn memory_of_every_sparse_storage_grows_with_entries_alone() {
     for kind in ALL.iter().filter(|kind| kind.name != "dense") {
-        let at = |size: usize| {
-            let mut storage = (kind.new)(size, size);
-            storage.load(&first(300)).unwrap();
-            storage.bytes()
-        };
+        let at = |size: usize| (kind.of)(size, size, &first(300)).bytes();
         // What is paid for a row: a start of 4 bytes at most.
         assert!(at(1_000_000) - at(100) <= 4 * 999_900, "{}", kind.name);
         assert!(at(100) < 40_000, "{}", kind.name);
