@@ -5,4 +5,3 @@ pub mod elimination;
 pub mod envelope;
 pub mod ldlt;
 pub mod reordered;
-pub mod sparse_factor;

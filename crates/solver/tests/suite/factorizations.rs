@@ -4,7 +4,7 @@ use lcplab_lcp::Matrix;
 use lcplab_solver::linalg::elimination::Lu;
 use lcplab_solver::linalg::envelope::Envelope;
 use lcplab_solver::linalg::ldlt::Ldlt;
-use lcplab_solver::linalg::sparse_factor::{SparseFactor, minimum_degree, pattern};
+use lcplab_solver::linalg::reordered::Reordered;
 
 #[test]
 fn a_dependent_row_is_found_whatever_its_unit() {
@@ -71,13 +71,10 @@ fn grid(side: usize) -> Matrix {
     Matrix::sparse(n, &entries)
 }
 
-/// The lower triangle by columns.
-fn lower(matrix: &Matrix) -> (SparseFactor, Vec<f64>) {
-    let column = |i: usize| matrix.row(i).iter().filter(move |&(j, _)| j >= i);
-    let places = pattern((0..matrix.len()).map(|i| column(i).map(|(j, _)| j)));
-    let order = minimum_degree(&places);
-    let values = (0..matrix.len()).flat_map(|i| column(i).map(|(_, a)| a)).collect();
-    (SparseFactor::of(places, &order), values)
+/// The factors, if all pivots are positive.
+fn factors(matrix: &Matrix) -> Option<Reordered> {
+    let mut factor = Reordered::of(matrix);
+    factor.factor(matrix, &vec![0.0; matrix.len()], |_| false).then_some(factor)
 }
 
 #[test]
@@ -85,8 +82,7 @@ fn reordered_factors_solve_as_dense_elimination_does() {
     for side in [1, 2, 12] {
         let matrix = grid(side);
         let b: Vec<f64> = (0..matrix.len()).map(|i| (i as f64).sin()).collect();
-        let (mut factor, values) = lower(&matrix);
-        assert!(factor.factor(&values));
+        let mut factor = factors(&matrix).unwrap();
         let (mut z, mut expected) = (b.clone(), b);
         factor.solve(&mut z);
         Lu::of(matrix.len(), |r, c| matrix.entry(r, c)).unwrap().solve(&mut expected);
@@ -99,8 +95,7 @@ fn reordered_factors_solve_as_dense_elimination_does() {
 #[test]
 fn a_large_matrix_has_the_same_factors_in_dense_blocks() {
     let matrix = grid(60);
-    let (mut factor, values) = lower(&matrix);
-    assert!(factor.factor(&values));
+    let mut factor = factors(&matrix).unwrap();
     let x: Vec<f64> = (0..matrix.len()).map(|i| f64::from(i as u32 % 7) - 3.0).collect();
     let mut z: Vec<f64> = (0..matrix.len()).map(|i| matrix.row_dot(i, &x)).collect();
     factor.solve(&mut z);
@@ -113,22 +108,16 @@ fn a_large_matrix_has_the_same_factors_in_dense_blocks() {
 fn the_hub_of_a_star_is_eliminated_last() {
     // If it is eliminated first, it couples all others with each other.
     let n = 20;
-    let star = pattern((0..n).map(|i| if i == 0 { 0..n } else { i..i + 1 }));
-    let order = minimum_degree(&star);
-    assert!(order[n - 2..].contains(&0), "{order:?}");
-    assert_eq!(SparseFactor::of(star.clone(), &order).entries(), 2 * n - 1);
-    let hub_first: Vec<usize> = (0..n).collect();
-    assert_eq!(SparseFactor::of(star, &hub_first).entries(), n * (n + 1) / 2);
+    let rays = (1..n).flat_map(|i| [(0, i, 1.0), (i, 0, 1.0)]);
+    let star: Vec<_> = (0..n).map(|i| (i, i, 25.0)).chain(rays).collect();
+    assert_eq!(Reordered::of(&Matrix::sparse(n, &star)).entries(), 2 * n - 1);
 }
 
 #[test]
 fn a_matrix_without_positive_pivots_has_no_reordered_factors() {
-    let (mut factor, _) =
-        lower(&Matrix::sparse(2, &[(0, 0, 1.0), (0, 1, 2.0), (1, 0, 2.0), (1, 1, 4.0)]));
-    assert!(factor.factor(&[1.0, 2.0, 4.5]));
-    assert!(!factor.factor(&[1.0, 2.0, 4.0])); // singular
-    assert!(!factor.factor(&[1.0, 2.0, 3.0])); // indefinite
-    let (mut nothing, values) = lower(&Matrix::sparse(0, &[]));
-    assert!(nothing.factor(&values));
-    nothing.solve(&mut []);
+    let matrix = |a: f64| Matrix::sparse(2, &[(0, 0, 1.0), (0, 1, 2.0), (1, 0, 2.0), (1, 1, a)]);
+    assert!(factors(&matrix(4.5)).is_some());
+    assert!(factors(&matrix(4.0)).is_none()); // singular
+    assert!(factors(&matrix(3.0)).is_none()); // indefinite
+    factors(&Matrix::sparse(0, &[])).unwrap().solve(&mut []);
 }
