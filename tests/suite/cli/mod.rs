@@ -32,7 +32,6 @@ mod surroundings;
 mod test;
 mod usage;
 mod wording;
-mod writing;
 
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
