@@ -30,8 +30,8 @@
 //! # Ok::<(), lcplab_lcp::error::Error>(())
 //! ```
 //!
-//! MuJoCo's contact problems come as `json`: `examples/python/mujoco_contacts.py` writes them with
-//! Python's `lcplab.receipt`. MuJoCo's contacts are soft, so the matrix is A + R, not A.
+//! MuJoCo's contact problems come as `json`: Python's `lcplab.receipt(model, data).write` writes
+//! them. MuJoCo's contacts are soft, so the matrix is A + R, not A.
 //!
 //! The contents of a file bound the memory: the reader trusts a size that a file states only after
 //! reading that many numbers, and unpacks compressed data only if all of it together stays within

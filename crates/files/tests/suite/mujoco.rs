@@ -1,5 +1,5 @@
-//! A step of MuJoCo's, written by examples/python/mujoco_contacts.py, beside the forces that MuJoCo
-//! found: A + R is positive definite, so there is one answer.
+//! A step of MuJoCo's, written by Python's `lcplab.receipt`, beside the forces that MuJoCo found:
+//! A + R is positive definite, so there is one answer.
 
 use std::path::{Path, PathBuf};
 
