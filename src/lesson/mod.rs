@@ -59,8 +59,7 @@ pub type Ran = std::result::Result<(), Box<dyn std::error::Error>>;
 ///     put("weight", 19.62);
 ///     let plot = Plot::new("fall", "A fall").x("time", "s").y("speed", "m/s");
 ///     let plot = plot.measured("ball", vec![(0.0, 0.0), (1.0, 9.81)]);
-///     // Another panel with its own curves.
-///     let plot = plot.below().points("samples", vec![(1.0, 9.81)]);
+///     let plot = plot.points("samples", vec![(1.0, 9.81)]);
 ///     show(&plot.log_x("time", "s").reference("limit", vec![(0.1, 9.81), (1.0, 9.81)]))?;
 ///     Ok(())
 /// }

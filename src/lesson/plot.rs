@@ -59,12 +59,6 @@ impl Plot {
         self.vertical(Axis::log(label, unit))
     }
 
-    /// Adds a plot below with the same horizontal axis; the following curves are drawn there.
-    pub fn below(mut self) -> Self {
-        self.0.panels.push(Panel { y: Axis::linear("", ""), series: Vec::new() });
-        self
-    }
-
     /// A measured curve.
     pub fn measured(self, name: &str, points: Vec<(f64, f64)>) -> Self {
         self.with(Series::measured(name, points))
@@ -86,18 +80,13 @@ impl Plot {
     }
 
     fn vertical(mut self, axis: Axis) -> Self {
-        self.last().y = axis;
+        self.0.panels[0].y = axis;
         self
     }
 
     fn with(mut self, series: Series) -> Self {
-        self.last().series.push(series);
+        self.0.panels[0].series.push(series);
         self
-    }
-
-    fn last(&mut self) -> &mut Panel {
-        let last = self.0.panels.len() - 1;
-        &mut self.0.panels[last]
     }
 }
 

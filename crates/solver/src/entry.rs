@@ -11,10 +11,10 @@ use lcplab_lcp::error::Result;
 ///
 /// ```
 /// use lcplab_lcp::{Lcp, Matrix};
-/// use lcplab_solver::{Options, Pgs, Registry, Start, Status};
+/// use lcplab_solver::{Entry, Options, Pgs, Start, Status};
 ///
 /// // PGS with ten sweeps at most, whatever the options say.
-/// let ten = Registry::standard().entry("pgs")?.clone().building(|options| {
+/// let ten = Entry::new("ten", |options| {
 ///     let settings = options.settings.clone().with_max_iterations(10);
 ///     Box::new(Pgs { settings, ..Pgs::default() })
 /// });
@@ -63,15 +63,6 @@ impl Entry {
             uses: &[],
             build: Build::of(build),
         }
-    }
-
-    /// The same entry with another solver.
-    #[must_use]
-    pub fn building(
-        self,
-        build: impl Fn(&Options) -> Box<dyn Solver> + Send + Sync + 'static,
-    ) -> Self {
-        Entry { build: Build::of(build), ..self }
     }
 
     /// Builds the solver with these options, which [`Options::validate`] accepts.

@@ -13,7 +13,7 @@ use lcplab_lcp::file::Problem;
 use lcplab_lcp::friction::{Law, Model};
 use lcplab_lcp::{Lcp, Matrix};
 use lcplab_solver::{
-    ConeEntry, ConeSolver, Group, MatrixClass, Method, Observer, Options, Order, Pgs, Registry,
+    ConeEntry, ConeSolver, Entry, MatrixClass, Method, Observer, Options, Order, Pgs, Registry,
     Settings, Solution, Solver, Start, Status, Stop,
 };
 use lcplab_testing::boxed;
@@ -25,9 +25,8 @@ fn method(
     name: &'static str,
     build: impl Fn() -> Box<dyn Solver> + Send + Sync + 'static,
 ) -> Method {
-    let pgs = Registry::standard().entry("pgs").unwrap().clone();
-    let mut entry = pgs.building(move |_| build());
-    (entry.name, entry.group) = (name.into(), Group::Plugin);
+    let mut entry = Entry::new(name, move |_| build());
+    entry.class = Registry::standard().entry("pgs").unwrap().class;
     Method::Boxed(entry)
 }
 

@@ -72,9 +72,9 @@ impl Solver for Mistaken {
 }
 
 fn mistaken(mistake: Mistaken) -> Entry {
-    let pgs = Registry::standard().entry("pgs").unwrap().clone();
-    let mut entry = pgs.building(move |_| Box::new(mistake));
-    entry.name = "mistaken".into();
+    let mut entry = Entry::new("mistaken", move |_| Box::new(mistake));
+    let pgs = Registry::standard().entry("pgs").unwrap();
+    (entry.class, entry.group) = (pgs.class, pgs.group);
     entry
 }
 

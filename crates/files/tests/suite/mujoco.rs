@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use lcplab_files as files;
 use lcplab_judge::{Demand, Verdict, judge, judge_friction};
-use lcplab_lcp::file::read_answer;
 use lcplab_lcp::friction::{Model, ProblemForm};
 use lcplab_lcp::memory::Memory;
 use lcplab_solver::{ConePgs, ConeSolver, Options, Registry, Settings, Start, Status};
@@ -23,7 +22,8 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 fn with_pyramids_both_forces_are_proved_and_agree_to_thirteen_digits() {
     let lcp = files::read(&file("mujoco_pyramidal.json"), None).unwrap().lcp;
     let theirs =
-        read_answer(&file("mujoco_pyramidal_answer.json"), lcp.len(), Memory::default()).unwrap();
+        files::read_answers(&file("mujoco_pyramidal_answer.json"), lcp.len(), Memory::default());
+    let theirs = theirs.unwrap().x;
     let dantzig = Registry::standard().entry("dantzig").unwrap().build(&Options::default());
     let ours = dantzig.solve(&lcp, &Start::default(), &mut ()).x;
     for x in [&theirs, &ours] {
@@ -36,9 +36,12 @@ fn with_pyramids_both_forces_are_proved_and_agree_to_thirteen_digits() {
 #[test]
 fn elliptic_cones_are_the_associated_model_and_not_coulombs_law() {
     let problem = files::read(&file("mujoco_elliptic.json"), None).unwrap();
-    let theirs =
-        read_answer(&file("mujoco_elliptic_answer.json"), problem.lcp.len(), Memory::default())
-            .unwrap();
+    let theirs = files::read_answers(
+        &file("mujoco_elliptic_answer.json"),
+        problem.lcp.len(),
+        Memory::default(),
+    );
+    let theirs = theirs.unwrap().x;
     let friction = problem.friction().unwrap().unwrap();
     let posed = |model: Model| model.pose(&friction, None).unwrap();
     let verdict = |model| judge_friction(&posed(model), &theirs, &Demand::default()).verdict;

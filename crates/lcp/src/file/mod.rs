@@ -349,29 +349,20 @@ impl<'de> Deserialize<'de> for Problem {
     }
 }
 
-/// The vector under the key `x` of an answer file, which is any JSON object with this key.
-///
-/// # Errors
-/// If the file cannot be read within this memory or has no such vector of `n` numbers.
-pub fn read_answer(path: &Path, n: usize, most: Memory) -> Result<Vec<f64>> {
-    read_answers(path, n, most).map(|answers| answers.x)
-}
-
 /// The contents of an answer file.
 ///
 /// ```
-/// use lcplab_lcp::file::{read_answer, read_answers};
+/// use lcplab_lcp::file::read_answers;
 /// use lcplab_lcp::memory::Memory;
 ///
 /// let folder = tempfile::tempdir().unwrap();
 /// let path = folder.path().join("answer.json");
 /// std::fs::write(&path, r#"{"x": [0.5, 0], "iterates": [[0.5, 0.25]]}"#).unwrap();
-/// assert_eq!(read_answer(&path, 2, Memory::default())?, [0.5, 0.0]);
 /// let answers = read_answers(&path, 2, Memory::default())?;
-/// assert_eq!(answers.iterates, [[0.5, 0.25]]);
-/// assert!(read_answer(&path, 3, Memory::default()).is_err()); // the problem has 3 rows
+/// assert_eq!((answers.x, answers.iterates), (vec![0.5, 0.0], vec![vec![0.5, 0.25]]));
+/// assert!(read_answers(&path, 3, Memory::default()).is_err()); // the problem has 3 rows
 /// std::fs::write(&path, "[0.5, 0]").unwrap(); // the list alone
-/// assert_eq!(read_answer(&path, 2, Memory::default())?, [0.5, 0.0]);
+/// assert_eq!(read_answers(&path, 2, Memory::default())?.x, [0.5, 0.0]);
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -382,10 +373,12 @@ pub struct Answers {
     pub iterates: Vec<Vec<f64>>,
 }
 
-/// The vectors under the keys `x` and `iterates` of an answer file, or the list x alone.
+/// The vectors under the keys `x` and `iterates` of an answer file, which is any JSON object with
+/// the key `x`, or the list x alone.
 ///
 /// # Errors
-/// As [`read_answer`], and if an iterate is not a vector of `n` numbers.
+/// If the file cannot be read within this memory, or x or an iterate is not a vector of `n`
+/// numbers.
 pub fn read_answers(path: &Path, n: usize, most: Memory) -> Result<Answers> {
     let input = path.display().to_string();
     let text = read_text(path, most)?;

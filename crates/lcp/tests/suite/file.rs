@@ -1,5 +1,5 @@
 use dashu_ratio::RBig;
-use lcplab_lcp::file::{Expected, Problem, SCHEMA, as_number, number, read_answer};
+use lcplab_lcp::file::{Expected, Problem, SCHEMA, as_number, number, read_answers};
 use lcplab_lcp::friction::{Contact, Model};
 use lcplab_lcp::memory::Memory;
 use lcplab_lcp::{Coupling, Lcp, Matrix};
@@ -247,7 +247,7 @@ fn a_key_given_twice_is_refused_wherever_it_stands() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("x.json");
     std::fs::write(&path, r#"{"x": [0, 0], "x": [1, 1]}"#).unwrap();
-    let output = read_answer(&path, 2, Memory::default()).unwrap_err().to_string();
+    let output = read_answers(&path, 2, Memory::default()).unwrap_err().to_string();
     assert!(output.ends_with("the key \"x\" is given twice"), "{output}");
 }
 
@@ -264,7 +264,8 @@ fn an_answer_is_the_vector_x_of_any_object() {
     let path = folder.path().join("x.json");
     let answer = |text: &str| {
         std::fs::write(&path, text).unwrap();
-        let answer = read_answer(&path, 2, Memory::default());
+        let answer = read_answers(&path, 2, Memory::default());
+        let answer = answer.map(|answers| answers.x);
         answer.map_err(|error| error.to_string().replace(path.to_str().unwrap(), "x.json"))
     };
     assert_eq!(answer(r#"{"status": "solved", "x": [1, "-inf"]}"#), Ok(vec![1.0, -INF]));
@@ -274,7 +275,7 @@ fn an_answer_is_the_vector_x_of_any_object() {
         "x.json: x: has length 1, the problem has 2 rows"
     );
     assert_eq!(answer(r#"{"x": 1}"#).unwrap_err(), "x.json: x: must be a list of numbers");
-    let small = read_answer(&path, 2, Memory::bytes(1)).unwrap_err().to_string();
+    let small = read_answers(&path, 2, Memory::bytes(1)).unwrap_err().to_string();
     assert!(small.ends_with("x.json: is larger than 1 B, the limit for reading"), "{small}");
 }
 

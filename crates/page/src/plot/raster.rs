@@ -24,7 +24,7 @@ const ENTRY: usize = SHADES.len() - 2;
 ///
 /// // The diagonal of a 4 × 4 matrix, in 2 × 2 cells.
 /// let raster = Raster::new((4, 4), 2, |mark| (0..4).for_each(|i| mark(i, i)));
-/// assert_eq!((raster.block, raster.nonzeros, raster.fill()), (2, 4, 25.0)); // 4 of 16
+/// assert_eq!((raster.block, raster.nonzeros), (2, 4));
 /// assert!(raster.key().contains("cells of 2 × 2"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -73,12 +73,6 @@ impl Raster {
         };
         let cells = (0..lines).map(line).collect();
         Raster { rows, columns, nonzeros: counts.iter().sum(), block, cells }
-    }
-
-    /// The percentage of nonzero entries; 0 for an empty matrix.
-    pub fn fill(&self) -> f64 {
-        let all = self.rows as f64 * self.columns as f64;
-        if all > 0.0 { 100.0 * self.nonzeros as f64 / all } else { 0.0 }
     }
 
     /// What a cell shows, as the end of a sentence; empty if it is a single entry.
