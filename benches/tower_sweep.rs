@@ -8,7 +8,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use lcplab::lcp::{Lcp, merit};
 use lcplab::solver::kernel::Width;
 use lcplab::solver::kernel::impulses::{RowByRow, SimdPairs, System};
-use lcplab::storage::Factors;
+use lcplab::storage::scaled_rows;
 use lcplab_benches::problems::posed;
 
 /// Sweeps of the check against the plain sweep.
@@ -80,9 +80,9 @@ fn sweeps_to(lcp: &Lcp, part: f64, mut form: impl Sweeps) -> Option<usize> {
 
 fn tower(criterion: &mut Criterion) {
     let posed = posed("tower", 3).expect("a step");
-    let (lcp, factors) = (&posed.lcp, Factors::of(&posed.assembly));
-    let rows = factors.scaled_rows();
-    let system = System::new(factors.bodies(), &rows, lcp).expect("no row of zeros");
+    let (lcp, rows) = (&posed.lcp, scaled_rows(&posed.assembly));
+    let bodies = posed.assembly.blocks.len();
+    let system = System::new(bodies, &rows, lcp).expect("no row of zeros");
     let plain = || Plain(&system, RowByRow::new(&system));
     let eight = |width| SimdPairs::new(&system, width).expect("pairs");
     let widest = || eight(Width::widest());

@@ -20,23 +20,23 @@
 //! A matrix is made from its entries and not changed; Codes 9 to 11, printed and corrected, with
 //! what they do when an entry is set, are in [`chapter`](crate::chapter). Zero entries are not
 //! stored (E54), and a row's entries are its nonzero ones, columns ascending, in every format.
-//! [`sweep`] runs projected Gauss-Seidel with any of them, [`Factors`] has J and M⁻¹ for sweeps
-//! that never assemble A (the kernel `impulses`), and [`Ordering`] gives the fill of a factor of A.
+//! [`sweep`] runs projected Gauss-Seidel with any of them, [`scaled_rows`] are for sweeps that
+//! never assemble A (the kernel `impulses`), and [`Ordering`] gives the fill of a factor of A.
 
 mod compressed;
 mod dense;
-mod factors;
 mod list;
 mod map;
 mod ordering;
+mod scaled_rows;
 mod sweep;
 
 pub use compressed::CompressedRows;
 pub use dense::Dense;
-pub use factors::Factors;
 pub use list::LinkedList;
 pub use map::MapOfMaps;
 pub use ordering::{Graph, Ordering};
+pub use scaled_rows::scaled_rows;
 pub use sweep::sweep;
 
 /// Row, column and value of an entry.

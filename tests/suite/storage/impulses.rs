@@ -6,7 +6,7 @@ use lcplab::solver::kernel::Width;
 use lcplab::solver::kernel::impulses::{Row, RowByRow, SimdPairs, System};
 use lcplab::solver::{Options, Settings};
 use lcplab::solver::{Registry, Status};
-use lcplab::storage::Factors;
+use lcplab::storage::scaled_rows;
 
 use lcplab_testing::INF;
 use lcplab_testing::{assert_close, plain, reordered};
@@ -41,12 +41,16 @@ fn stack() -> Problem {
     generated("kind = \"stack\", count = 6, size = 1, mass = 1")
 }
 
-/// A problem with its rows of Ĵ, with friction that follows the normal force and with frozen
-/// friction.
-fn cases(problem: &Problem) -> [(Factors, Lcp); 2] {
+/// A problem with friction that follows the normal force and with frozen friction.
+fn cases(problem: &Problem) -> [Lcp; 2] {
     let lcp = &problem.lcp;
     let load: Vec<f64> = (0..lcp.len()).map(|i| 0.01 * (1 + i % 5) as f64).collect();
-    [lcp.clone(), lcp.frozen_at(&load)].map(|lcp| (Factors::of(&problem.assembly), lcp))
+    [lcp.clone(), lcp.frozen_at(&load)]
+}
+
+/// The LCP of a problem, with the rows of Ĵ.
+fn system(problem: &Problem, lcp: &Lcp) -> System {
+    System::new(problem.assembly.blocks.len(), &scaled_rows(&problem.assembly), lcp).unwrap()
 }
 
 /// What a kernel has after some sweeps.
@@ -58,7 +62,7 @@ fn swept<K>(mut kernel: K, sweep: impl Fn(&mut K), x: impl Fn(&K) -> Vec<f64>) -
 #[test]
 fn the_scaled_rows_make_a() {
     for problem in [tower(), stack(), step(Scene::load("ragdoll").unwrap())] {
-        let rows = Factors::of(&problem.assembly).scaled_rows();
+        let rows = scaled_rows(&problem.assembly);
         let dense = |row: &Row| {
             let mut j = vec![0.0; problem.assembly.blocks.len() * 6];
             for (body, part) in row.bodies.iter().zip(&row.jacobian) {
@@ -82,9 +86,8 @@ fn the_scaled_rows_make_a() {
 #[test]
 fn row_by_row_sweeps_as_the_assembled_matrix_does() {
     for problem in [tower(), stack()] {
-        for (factors, lcp) in cases(&problem) {
-            let rows = factors.scaled_rows();
-            let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
+        for lcp in cases(&problem) {
+            let system = system(&problem, &lcp);
             let expected = plain(&lcp, 1.0, SWEEPS);
             let x = swept(RowByRow::new(&system), |k| k.sweep(&system), |k| k.x().to_vec());
             assert_close(&x, &expected, 1e-12);
@@ -95,9 +98,8 @@ fn row_by_row_sweeps_as_the_assembled_matrix_does() {
 #[test]
 fn eight_pairs_sweep_as_the_assembled_matrix_does_in_their_order() {
     for problem in [tower(), stack()] {
-        for (factors, lcp) in cases(&problem) {
-            let rows = factors.scaled_rows();
-            let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
+        for lcp in cases(&problem) {
+            let system = system(&problem, &lcp);
             let kernel = SimdPairs::new(&system, Width::widest()).unwrap();
             let order = kernel.order();
             let expected = plain(&reordered(&lcp, &order), 1.0, SWEEPS);
@@ -111,9 +113,8 @@ fn eight_pairs_sweep_as_the_assembled_matrix_does_in_their_order() {
 #[test]
 fn all_of_a_tower_of_equal_pairs_is_swept_in_every_order() {
     let problem = tower();
-    let factors = Factors::of(&problem.assembly);
-    let rows = factors.scaled_rows();
-    let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
+    let rows = scaled_rows(&problem.assembly);
+    let system = system(&problem, &problem.lcp);
     let mut order = SimdPairs::new(&system, Width::Portable).unwrap().order();
     assert_ne!(order, (0..rows.len()).collect::<Vec<_>>());
     order.sort_unstable();
@@ -123,13 +124,12 @@ fn all_of_a_tower_of_equal_pairs_is_swept_in_every_order() {
 /// The layer of each row of a tower in the order of a sweep, 0 at the ground, above it that of its
 /// lower body; the bodies have other numbers in the system.
 fn layers(problem: &Problem, renumbered: impl Fn(usize) -> usize) -> Vec<usize> {
-    let factors = Factors::of(&problem.assembly);
-    let rows = factors.scaled_rows();
+    let rows = scaled_rows(&problem.assembly);
     let other: Vec<Row> = rows
         .iter()
         .map(|row| Row { bodies: row.bodies.map(&renumbered), jacobian: row.jacobian })
         .collect();
-    let system = System::new(factors.bodies(), &other, &problem.lcp).unwrap();
+    let system = System::new(problem.assembly.blocks.len(), &other, &problem.lcp).unwrap();
     let order = SimdPairs::new(&system, Width::widest()).unwrap().order();
     let ring = 12;
     let layer = |row: &Row| match row.bodies {
@@ -155,9 +155,8 @@ fn a_tower_is_swept_from_the_ground_up_whatever_its_bodies_numbers() {
 #[test]
 fn a_lone_stack_is_swept_by_colors() {
     let problem = stack();
-    let factors = Factors::of(&problem.assembly);
-    let rows = factors.scaled_rows();
-    let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
+    let rows = scaled_rows(&problem.assembly);
+    let system = system(&problem, &problem.lcp);
     let order = SimdPairs::new(&system, Width::widest()).unwrap().order();
     let color =
         |row: &Row| if row.bodies[0] == row.bodies[1] { 0 } else { (row.bodies[0] + 1) % 2 };
@@ -168,9 +167,8 @@ fn a_lone_stack_is_swept_by_colors() {
 #[test]
 fn the_bits_are_the_same_with_all_instructions() {
     let problem = tower();
-    for (factors, lcp) in cases(&problem) {
-        let rows = factors.scaled_rows();
-        let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
+    for lcp in cases(&problem) {
+        let system = system(&problem, &lcp);
         let run = |width| {
             let eight = SimdPairs::new(&system, width).unwrap();
             swept(eight, SimdPairs::sweep, SimdPairs::x)
@@ -240,9 +238,8 @@ fn a_body_may_have_more_neighbors_than_a_word_has_bits() {
 #[test]
 fn the_bits_are_the_same_on_any_number_of_threads() {
     let problem = tower();
-    for (factors, lcp) in cases(&problem) {
-        let rows = factors.scaled_rows();
-        let system = System::new(factors.bodies(), &rows, &lcp).unwrap();
+    for lcp in cases(&problem) {
+        let system = system(&problem, &lcp);
         let run = |threads| {
             let mut kernel = SimdPairs::on_threads(&system, Width::widest(), threads).unwrap();
             assert_eq!(kernel.threads(), threads);
@@ -260,12 +257,12 @@ fn the_bits_are_the_same_on_any_number_of_threads() {
 #[test]
 fn the_velocities_are_those_that_x_makes() {
     let problem = tower();
-    let factors = Factors::of(&problem.assembly);
-    let rows = factors.scaled_rows();
-    let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
+    let rows = scaled_rows(&problem.assembly);
+    let system = system(&problem, &problem.lcp);
     let start: Vec<f64> = (0..rows.len()).map(|i| 0.01 * (i % 3) as f64).collect();
+    let bodies = problem.assembly.blocks.len();
     let free: Vec<[f64; 6]> =
-        (0..factors.bodies()).map(|b| std::array::from_fn(|k| (b * k % 5) as f64)).collect();
+        (0..bodies).map(|b| std::array::from_fn(|k| (b * k % 5) as f64)).collect();
     let mut eight = SimdPairs::idle(Width::widest(), 2);
     eight.start(&system, &start, &free).unwrap();
     eight.sweeps(SWEEPS);
@@ -282,10 +279,9 @@ fn the_velocities_are_those_that_x_makes() {
 fn a_kernel_that_is_started_again_sweeps_as_a_new_one() {
     let mut kept = SimdPairs::idle(Width::widest(), 2);
     for problem in [tower(), tower(), stack(), tower()] {
-        let factors = Factors::of(&problem.assembly);
-        let rows = factors.scaled_rows();
-        let system = System::new(factors.bodies(), &rows, &problem.lcp).unwrap();
-        let (x, v) = (vec![0.0; rows.len()], vec![[0.0; 6]; factors.bodies()]);
+        let rows = scaled_rows(&problem.assembly);
+        let system = system(&problem, &problem.lcp);
+        let (x, v) = (vec![0.0; rows.len()], vec![[0.0; 6]; problem.assembly.blocks.len()]);
         kept.start(&system, &x, &v).unwrap();
         kept.sweeps(SWEEPS);
         let new = SimdPairs::new(&system, Width::widest()).unwrap();
@@ -296,8 +292,8 @@ fn a_kernel_that_is_started_again_sweeps_as_a_new_one() {
 #[test]
 fn a_start_at_an_x_is_at_the_velocities_that_x_adds() {
     let problem = stack();
-    let (factors, lcp) = &cases(&problem)[0];
-    let (rows, bodies) = (factors.scaled_rows(), problem.assembly.blocks.len());
+    let (lcp, bodies) = (&problem.lcp, problem.assembly.blocks.len());
+    let rows = scaled_rows(&problem.assembly);
     let system = System::new(bodies, &rows, lcp).unwrap();
     let mut whole = RowByRow::new(&system);
     (0..SWEEPS).for_each(|_| whole.sweep(&system));
