@@ -5,14 +5,14 @@ use lcplab_analysis::explain::{Method, problem as derivation};
 use lcplab_judge::{Demand, judge};
 use lcplab_lcp::file::Problem;
 use lcplab_lcp::{Lcp, Question};
-use lcplab_page::document::Block;
+use lcplab_page::document::{Block, SHOWN, Section};
 use lcplab_proof::prove;
 use lcplab_solver::{Options, Registry, Start, default_for};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
 use super::Answer;
-use super::trace::Steps;
+use super::trace::{Steps, numbers};
 
 /// Maximum number of rows; larger problems need the program itself.
 const MOST_ROWS: usize = 60;
@@ -68,6 +68,8 @@ impl Solve {
             "name": problem.name,
             "warnings": problem.warnings,
             "answer": answer.to_json(),
+            "A": (lcp.len() <= SHOWN).then(|| matrix(lcp)),
+            "b": numbers(lcp.b()),
             "judge": certificate_text(&answer.certificate, answer.error_bound, problem),
             "steps": steps.steps,
             "derivation": derived,
@@ -77,17 +79,14 @@ impl Solve {
 }
 
 impl Judge {
-    /// The verdict with its numbers.
+    /// The certificate in words.
     pub fn answer(self) -> Answer {
         let question = read(self.problem)?;
         let lcp = boxed(&question)?;
         fits(lcp, &self.x)?;
         let certificate = judge(lcp, &self.x, &Demand::default());
         let bound = bound(lcp, &self.x, &certificate);
-        Ok(json!({
-            "verdict": certificate.verdict.word(),
-            "text": certificate_text(&certificate, bound, question.problem()),
-        }))
+        Ok(json!(certificate_text(&certificate, bound, question.problem())))
     }
 }
 
@@ -132,14 +131,17 @@ fn fits(lcp: &Lcp, x: &[f64]) -> Result<(), String> {
     (x.len() == n).then_some(()).ok_or_else(|| format!("x: {} numbers for {n} rows", x.len()))
 }
 
-/// Sections with a heading and pieces of text each.
+/// The rows of A.
+fn matrix(lcp: &Lcp) -> Value {
+    let entries = |i| (0..lcp.len()).map(|j| lcp.matrix().entry(i, j)).collect::<Vec<_>>();
+    (0..lcp.len()).map(|i| numbers(&entries(i))).collect()
+}
+
+/// The sections, each with its heading and its blocks.
 fn derived(question: &Question, solver: &str) -> Answer {
     let document = Method::named(solver)
         .and_then(|method| derivation(question, &method))
         .map_err(|error| error.to_string())?;
-    let section = |section: &lcplab_page::document::Section| {
-        let blocks: Vec<String> = section.blocks.iter().map(Block::text).collect();
-        json!({ "title": section.title, "blocks": blocks })
-    };
+    let section = |Section { title, blocks }: &Section| json!({ "title": title, "blocks": blocks.iter().map(Block::to_json).collect::<Value>() });
     Ok(document.sections.iter().map(section).collect())
 }

@@ -3,8 +3,9 @@
 use std::ops::ControlFlow;
 
 use lcplab_judge::{Demand, judge};
+use lcplab_lcp::Lcp;
 use lcplab_lcp::file::{Problem, number};
-use lcplab_lcp::{Lcp, merit};
+use lcplab_lcp::merit::{self, RowTerms};
 use lcplab_solver::theory::{principal_submatrix, sor_iteration_matrix};
 use lcplab_solver::{
     Damping, Dantzig, Event, Iterate, Jacobi, Lemke, Murty, Observer, Order, Pgs, RowUpdate,
@@ -143,7 +144,7 @@ pub struct Steps<'a> {
     most: usize,
     /// The rows of the current sweep.
     rows: Vec<Value>,
-    /// x, w, residual, event and rows of each.
+    /// x, w, bounds, rows that are not solved yet, residual, event and row updates of each.
     pub steps: Vec<Value>,
 }
 
@@ -156,9 +157,14 @@ impl<'a> Steps<'a> {
     pub fn keep(&mut self, x: &[f64], event: String) {
         let rows = std::mem::take(&mut self.rows);
         if self.steps.len() < self.most {
+            let n = self.lcp.len();
+            let residual = |i| RowTerms::at(self.lcp, i, x).scaled_residual(self.lcp, i, x);
+            let is_open = |&i: &usize| !(residual(i) <= Settings::default().tolerance);
             self.steps.push(json!({
                 "x": numbers(x),
                 "w": numbers(&self.lcp.w(x)),
+                "bounds": (0..n).map(|i| { let (lo, hi) = self.lcp.bounds(i, x); numbers(&[lo, hi]) }).collect::<Value>(),
+                "open": (0..n).filter(is_open).collect::<Value>(),
                 "residual": number(merit::scaled_residual(self.lcp, x)),
                 "event": event,
                 "rows": rows,
@@ -199,7 +205,7 @@ fn words(event: Event, solver: &str) -> String {
             )
         }
         Event::Pivot { driven, blocking } if driven == blocking => {
-            format!("row {driven} is driven to w = 0 or its bound, and gets there")
+            format!("row {driven} reaches w = 0 or its bound")
         }
         Event::Pivot { driven, blocking } => {
             format!("row {driven} is driven, row {blocking} changes sides first")

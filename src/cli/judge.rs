@@ -211,7 +211,8 @@ fn certified(
 ) -> String {
     let problem = question.problem();
     let bound = bound(&problem.lcp, x, certificate);
-    let mut text = title(problem) + "\n" + &certificate_text(certificate, bound, problem);
+    let mut text =
+        title(problem) + "\n" + &certificate_text(certificate, bound, problem).to_string();
     text += &MotionError::text(question, x);
     if certificate.verdict.is_solution() {
         text += &Descent::text(question, x);

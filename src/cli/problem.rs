@@ -162,7 +162,8 @@ impl Solve {
                 text += &format!("fallback   {fallback}\n");
             }
             text += &attempts_text(&answer.attempts);
-            text += &certificate_text(&answer.certificate, answer.error_bound, &problem);
+            text +=
+                &certificate_text(&answer.certificate, answer.error_bound, &problem).to_string();
             text += &MotionError::text(&question, &answer.solution.x);
             if answer.certificate.verdict.is_solution() {
                 text += &Descent::text(&question, &answer.solution.x);

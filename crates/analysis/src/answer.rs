@@ -1,5 +1,7 @@
 //! The answer of a solver to one problem, as JSON and as text.
 
+use std::fmt;
+
 use dashu_ratio::RBig;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -265,15 +267,10 @@ pub fn rounding_json(rounded_by: Option<f64>) -> Option<(String, Value)> {
     rounded_by.map(|by| ("rounded_by".into(), number(printed_up(by))))
 }
 
-/// The same as a line of text.
-pub(crate) fn rounding_text(rounded_by: Option<f64>) -> String {
-    let line = |by| {
-        format!(
-            "  rounding         {:>10}  distance of x from the accepted point, a rounding error\n",
-            plain(&upper_bound(by))
-        )
-    };
-    rounded_by.map(line).unwrap_or_default()
+/// The same as a measured value.
+pub(crate) fn rounding(rounded_by: Option<f64>) -> Option<Measured> {
+    let meaning = "distance of x from the accepted point, a rounding error";
+    rounded_by.map(|by| ("rounding", plain(&upper_bound(by)), meaning))
 }
 
 /// A number in a column of a terminal: its powers of ten are as wide as they are printed.
@@ -281,61 +278,84 @@ pub fn cell(value: f64, digits: usize) -> String {
     plain(&readable(value, digits))
 }
 
-/// The residuals and the verdict as lines of text, and the [`bound`] on the error of x if there is
-/// one.
+/// The name of a value, the value, and its meaning.
+pub type Measured = (&'static str, String, &'static str);
+
+/// A measured value as a line of text.
+pub(crate) fn line((name, value, meaning): &Measured) -> String {
+    format!("  {name:<17}{value:>10}  {meaning}\n")
+}
+
+/// A certificate in words; displayed as lines of text.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CertificateText {
+    /// The verdict.
+    pub verdict: String,
+    /// The residuals, and the [`bound`] on the error of x if there is one.
+    pub measured: Vec<Measured>,
+    /// What exact arithmetic showed in addition, a line each.
+    pub remarks: String,
+}
+
+impl fmt::Display for CertificateText {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let measured: String = self.measured.iter().map(line).collect();
+        write!(out, "verdict    {}\n{measured}{}", self.verdict, self.remarks)
+    }
+}
+
+/// The verdict, the residuals and the [`bound`] on the error of x in words.
 pub fn certificate_text(
     certificate: &Certificate,
     error_bound: Option<f64>,
     problem: &Problem,
-) -> String {
-    let lines = [
-        (
+) -> CertificateText {
+    let residual = |name, value: f64, meaning| {
+        let value = if value.is_nan() { "–".into() } else { cell(value, 3) };
+        (name, value, meaning)
+    };
+    let mut measured = vec![
+        residual(
             "scaled residual",
             certificate.scaled_residual,
             "error of the worst row relative to its terms",
         ),
-        ("natural residual", certificate.natural_residual, "max |x − Π(x − w)|"),
-        (
+        residual("natural residual", certificate.natural_residual, "max |x − Π(x − w)|"),
+        residual(
             "bound violation",
             certificate.bound_violation,
             "largest distance of x outside its bounds",
         ),
-        (
+        residual(
             "complementarity",
             certificate.complementarity_gap,
             "largest product of w and distance to bound",
         ),
-        (
+        residual(
             "duality gap",
             certificate.duality_gap,
             "bound on the error of the objective, up to the tolerance; – if there is none",
         ),
     ];
+    if certificate.scale > 0.0 {
+        measured.push(residual(
+            "scale",
+            certificate.scale,
+            "residuals are relative to at least this |x|",
+        ));
+    }
+    measured.extend(rounding(certificate.rounded_by));
+    let bound =
+        |bound| ("error bound", plain(&upper_bound(bound)), "no entry of x has a larger error");
+    measured.extend(error_bound.map(bound));
     let verdict = match certificate.evidence {
         Some(Evidence::NoSolution(_)) => "not a solution: no solution exists".into(),
         _ => labelled(&certificate.verdict, &certificate.w, problem),
     };
-    let mut text = format!("verdict    {verdict}\n");
-    for (name, value, meaning) in lines {
-        let shown = if value.is_nan() { "–".into() } else { cell(value, 3) };
-        text += &format!("  {name:<17}{shown:>10}  {meaning}\n");
-    }
-    if certificate.scale > 0.0 {
-        text += &format!(
-            "  scale            {:>10}  residuals are relative to at least this |x|\n",
-            cell(certificate.scale, 3)
-        );
-    }
-    text += &rounding_text(certificate.rounded_by);
-    let evidence = certificate.evidence.as_ref();
     // There is a bound only if the solution is unique.
-    let evidence = evidence.map(|evidence| evidence_text(evidence, error_bound.is_some()));
-    text += &evidence.unwrap_or_default();
-    let bound_line = |bound| {
-        let bound = plain(&upper_bound(bound));
-        format!("  error bound      {bound:>10}  no entry of x has a larger error\n")
-    };
-    text + &error_bound.map(bound_line).unwrap_or_default()
+    let evidence = certificate.evidence.as_ref();
+    let remarks = evidence.map(|own| evidence_text(own, error_bound.is_some())).unwrap_or_default();
+    CertificateText { verdict, measured, remarks }
 }
 
 /// What exact arithmetic showed in addition to the verdict, as a line of text.

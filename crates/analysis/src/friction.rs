@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use super::answer::{
-    cell, claim, evidence_text, impossible, json_object, proof_of_denial, rounding_json,
-    rounding_text,
+    cell, claim, evidence_text, impossible, json_object, line, proof_of_denial, rounding,
+    rounding_json,
 };
 use super::trial::Trial;
 use lcplab_judge::{Demand, FrictionCertificate, Refutation, judge_cone, judge_friction};
@@ -223,7 +223,7 @@ impl JudgedAnswer {
             cell(*scaled_residual, 3),
             cell(self.coulomb_residual, 3)
         );
-        text += &rounding_text(self.certificate.rounded_by);
+        text += &rounding(self.certificate.rounded_by).as_ref().map(line).unwrap_or_default();
         let evidence = self.certificate.evidence.as_ref();
         text += &evidence.map(|evidence| evidence_text(evidence, false)).unwrap_or_default();
         text += &format!(

@@ -22,19 +22,16 @@ function setLines(node, text) {
   }));
 }
 
-// The judge's text: the verdict, unless the page states it above; a table of what it measured; remarks.
-function setVerdict(text, isStated) {
-  const [first, ...lines] = text.trimEnd().split("\n"), measured = lines.map((line) => line.match(/^ {2}(\S.*?) {2,}(\S+) {2,}(\S.*)$/));
-  const paragraph = (text) => Object.assign(document.createElement("p"), { textContent: text });
-  const table = document.createElement("table");
-  for (const [, name, value, meaning] of measured.filter(Boolean)) {
-    const row = table.insertRow();
-    const typeset = value.replace(/e(-?\d+)$/, (_, power) => `×${ten(power)}`);
-    for (const text of [name, typeset, meaning]) row.insertCell().textContent = text;
-  }
-  const zeros = measured.length && measured.every((own) => !own || own[2] === "0") && table.rows.length > 1 ? [paragraph(`All ${table.rows.length} kinds of residual are 0.`)] : [];
-  const remarks = lines.filter((line, k) => !measured[k] && line.trim()).map((line) => paragraph(line.trim()));
-  find("#judge").replaceChildren(...(isStated ? [] : [paragraph(first.replace(/^verdict\s+/, ""))]), ...(zeros.length ? zeros : table.rows.length ? [table] : []), ...remarks);
+const escaped = (text) => String(text).replace(/&/g, "&amp;").replace(/</g, "&lt;");
+const paragraphs = (texts) => texts.filter(Boolean).map((text) => svg("p", {}, escaped(text))).join("");
+const cells = (row, numeric, name = "td") => svg("tr", {}, row.map((text, c) => svg(name, numeric[c] ? {} : { class: "words" }, escaped(text))).join(""));
+
+// The judge's verdict, unless the page states it above; what it measured; remarks.
+function setVerdict({ error, verdict, measured = [], remarks = "" }, isStated) {
+  const typeset = (value) => value.replace(/e(-?\d+)$/, (_, power) => `×${ten(power)}`);
+  const zeros = measured.every(([, value]) => value === "0") && measured.length ? `All ${measured.length} kinds of residual are 0.` : "";
+  const table = zeros ? "" : svg("table", {}, measured.map(([name, value, meaning]) => cells([name, typeset(value), meaning], [false, true])).join(""));
+  find("#judge").innerHTML = paragraphs([error ?? (isStated ? "" : verdict), zeros]) + table + paragraphs(remarks.split("\n"));
 }
 
 function parse(text) {
@@ -68,76 +65,60 @@ function drawChart() {
     picture += svg("path", { d: "M14 196l7 -5l7 5l7 -5", class: "contour" }); // the axis is broken
   }
   picture += svg("polyline", { points: values.map((v, k) => place(v, k).map((u) => u.toFixed(1)).join(",")).join(" "), class: "path" });
-  const last = values.length - 1;
+  const last = values.length - 1, every = [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => last <= 10 * n);
   values.forEach((v, k) => {
     const [cx, cy] = place(v, k);
     if (v === 0 || last <= 20) picture += svg("circle", { cx, cy, ...(v === 0 ? { r: 5, class: "solution" } : { r: 3, class: "dot" }) });
-    if (k % Math.ceil(last / 10 || 1) === 0) picture += svg("text", { x: cx, y: 234, class: "faint", "text-anchor": "middle" }, k);
+    if (k % every === 0) picture += svg("text", { x: cx, y: 234, class: "faint", "text-anchor": "middle" }, k);
   });
   if (values.length) { const [cx, cy] = place(values[state.step], state.step); picture += svg("circle", { cx, cy, r: 5, class: "here" }); }
   find("#chart").innerHTML = picture;
 }
 
+// The problem, and x and w after the step; rows that are not solved yet are red.
 function drawRows() {
   if (solved.error) { find("#rows").innerHTML = ""; return; }
-  const { x, w, event } = solved.steps[state.step];
-  const label = (i) => String(problem.rows?.[i]?.label ?? i).replace(/[<>&"]/g, " ");
-  const rows = x.map((v, i) => svg("tr", {}, svg("th", { scope: "row" }, label(i)) + svg("td", {}, short(v, 6)) + svg("td", {}, short(w[i], 6))));
-  find("#rows").innerHTML = svg("caption", {}, event) + svg("tr", {}, "<th>row</th><th>x</th><th>w</th>") + rows.join("");
+  const { A, b } = solved, { x, w, bounds, open, event } = solved.steps[state.step];
+  const label = (i) => escaped(problem.rows?.[i]?.label ?? i);
+  const row = (i) => [...(A?.[i] ?? []), b[i], bounds[i][0], x[i], bounds[i][1], w[i]].map((v) => svg("td", {}, short(v))).join("");
+  const rows = x.map((_, i) => svg("tr", open.includes(i) ? { class: "bad" } : {}, svg("th", { scope: "row" }, label(i)) + row(i)));
+  const head = [["row", 1], ["A", A?.[0]?.length ?? 0], ["b", 1], ["lo", 1], ["x", 1], ["hi", 1], ["w", 1]].filter(([, span]) => span > 0);
+  const words = `Step ${state.step}: ${event}; ${open.length ? `${open.length} of ${x.length} rows are not solved yet (red)` : "every row is solved"}`;
+  find("#rows").innerHTML = svg("caption", {}, words) + svg("tr", {}, head.map(([name, colspan]) => svg("th", { colspan }, name)).join("")) + rows.join("");
 }
 
 function drawSays() {
   const { error, answer, warnings, steps } = solved, last = steps?.length - 1;
-  find("#says").textContent = error ?? [`${answer.solver} ${answer.message === "solved" ? `solved it in ${last} step${last === 1 ? "" : "s"}` : `stopped: ${answer.message}`}; ${solved.judge.split("\n")[0].replace("verdict", "").trim()}`, ...warnings].join(". ");
+  find("#says").textContent = error ?? [`${answer.solver} ${answer.message === "solved" ? `solved it in ${last} step${last === 1 ? "" : "s"}` : `stopped: ${answer.message}`}; ${solved.judge.verdict}`, ...warnings].join(". ");
   find("#says").className = `says ${error || answer.verdict === "not_a_solution" ? "bad" : answer.verdict === "proved" ? "good" : "caution"}`;
 }
 
-// A paragraph, or, of indented text, a table: its title, its head and its rows.
-function paragraph(text) {
-  if (/^\n*\S/.test(text)) return Object.assign(document.createElement("p"), { textContent: text.replace(/\s+/g, " ") });
-  const [title, ...lines] = text.replace(/^\n+/, "").trimEnd().split("\n").map((line) => [...line]);
-  const isBlank = (k) => lines.every((line) => (line[k] ?? " ") === " "), own = Object.assign(document.createElement("div"), { className: "wide", tabIndex: 0 });
-  // A column begins after two characters that are blank in every line.
-  const starts = [...Array(Math.max(0, ...lines.map(({ length }) => length))).keys()].filter((k) => !isBlank(k) && isBlank(k - 1) && isBlank(k - 2));
-  const rows = lines.map((line) => starts.map((start, c) => line.slice(start, starts[c + 1]).join("").trim()));
-  const isNumber = starts.map((_, c) => rows.slice(1).every((row) => /^[[\]\d.,−×∞⁰¹²³⁴-⁹⁻/←<% ]*$/.test(row[c])));
-  const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
-  const cells = rows.map((row, k) => svg("tr", {}, row.map((text, c) => svg(k === 0 ? "th" : "td", isNumber[c] ? {} : { class: "words" }, escaped(text))).join("")));
-  own.innerHTML = svg("table", {}, svg("caption", {}, escaped(title.join("").trim())) + cells.join(""));
-  return own;
-}
-// A formula whose matrices have brackets of several lines, as MathML. All of them cross the middle line.
-function typeset(text) {
-  const lines = text.replace(/^\n+|\n+$/g, "").split("\n"), middle = lines[(lines.length - 1) >> 1];
-  const atom = (text) => svg(/^[\d.,−×∞⁰¹²³⁴-⁹⁻/]+$/.test(text) ? "mn" : /^[=+−≤≥<>·∓±]+$/.test(text) ? "mo" : "mi", {}, text.replace(/&/g, "&amp;").replace(/</g, "&lt;"));
+// A formula as MathML.
+function typeset(pieces) {
+  const atom = (text) => svg(/^[\d.,−×∞⁰¹²³⁴-⁹⁻/]+$/.test(text) ? "mn" : /^[=+−≤≥<>·∓±]+$/.test(text) ? "mo" : "mi", {}, escaped(text));
   // −A_FF⁻¹, has a sign, a name, a subscript, an inverse and a comma.
   const word = (text) => {
     const [, sign, name, low, inverse, comma] = text.match(/^(−(?=\p{L}))?(.*?)(?:_(\w+))?(⁻¹)?(,?)$/u);
     const indexed = low ? svg("msub", {}, atom(name) + atom(low)) : name && atom(name);
     return (sign ? "<mo>−</mo>" : "") + (inverse ? svg("msup", {}, svg("mrow", {}, indexed) + "<mn>−1</mn>") : indexed) + (comma && "<mo>,</mo><mspace width='1em'></mspace>");
   };
-  const words = (text) => text.split(" ").filter(Boolean).map(word).join("");
-  let out = "", end = 0;
-  for (const { 0: own, index } of middle.matchAll(/[[⎡⎢⎣][^\]⎤⎥⎦]*[\]⎤⎥⎦]/g)) {
-    const rows = lines.filter((line) => "[⎡⎢⎣".includes(line[index] ?? " ")).map((line) => line.slice(index + 1, index + own.length - 1).trim().split(/ {2,}/));
-    if (rows.some((row) => row.length !== rows[0].length)) return Object.assign(document.createElement("pre"), { textContent: text, tabIndex: 0 });
-    const cells = rows.map((row) => svg("mtr", {}, row.map((cell) => svg("mtd", {}, word(cell))).join("")));
-    out += `${words(middle.slice(end, index))}${svg("mtable", {}, cells.join(""))}`;
-    end = index + own.length;
-  }
-  return Object.assign(document.createElement("div"), { className: "wide", tabIndex: 0, innerHTML: `<math>${out}${words(middle.slice(end))}</math>` });
+  const line = (cells) => svg("mtr", {}, cells.map((cell) => svg("mtd", {}, word(cell))).join(""));
+  return svg("math", {}, pieces.map((piece) => (Array.isArray(piece) ? svg("mtable", {}, piece.map(line).join("")) : piece.split(" ").filter(Boolean).map(word).join(""))).join(""));
+}
+const framed = (html) => svg("div", { class: "wide", tabindex: 0 }, html);
+function block({ heading, text, formula, remark, table, columns, numeric, rows, left_out }) {
+  if (heading) return svg("h3", {}, escaped(heading));
+  if (formula) return framed(`${typeset(formula)} ${escaped(remark)}`);
+  if (!columns) return paragraphs([text]);
+  return framed(svg("table", {}, svg("caption", {}, escaped(table)) + cells(columns, numeric, "th") + rows.map((row) => cells(row, numeric)).join(""))) + paragraphs([left_out && `and ${left_out} more`]);
 }
 
 function drawDerivation() {
-  const sections = solved.derivation ?? [], all = sections.flatMap(({ title, blocks }) => blocks.map((text, k) => ({ title: k === 0 ? title : "", text })));
+  const sections = solved.derivation ?? [], all = sections.flatMap(({ title, blocks }) => blocks.map((own, k) => (k ? "" : svg("h2", {}, escaped(title))) + block(own)));
   find("#derivation").hidden = all.length === 0;
   const first = sections[0]?.blocks.length ?? 1; // what is to be solved
   state.lines = Math.max(first, Math.min(state.lines, all.length));
-  find("#lines").replaceChildren(...all.flatMap(({ title, text }, k) => {
-    const own = /^\n* {4}/.test(text) ? typeset(text) : paragraph(text), shown = title ? [Object.assign(document.createElement("h2"), { textContent: title }), own] : [own];
-    if (k >= state.lines) shown.forEach((node) => node.classList.add("later")); // printed, but not shown yet
-    return shown;
-  }));
+  find("#lines").innerHTML = all.map((html, k) => svg("div", k < state.lines ? {} : { class: "later" }, html)).join(""); // printed, but not shown yet
   find("#less").disabled = state.lines === first;
   find("#more").disabled = find("#whole").disabled = state.lines >= all.length;
 }
@@ -177,7 +158,7 @@ function take(text, changes) {
 function judge() {
   const x = parse(find("#x").value);
   const verdict = Array.isArray(x) ? ask({ ask: "judge", problem, x: x.map(Number) }) : { error: `x: expected a list of numbers${x?.error ? ` (${x.error})` : ""}` };
-  setVerdict(verdict.error ?? verdict.text);
+  setVerdict(verdict);
   find("#prove").hidden = false;
   find("#proof").hidden = find("#save").hidden = true;
 }

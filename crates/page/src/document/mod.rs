@@ -17,6 +17,7 @@ pub use show::Show;
 pub use unicode::unicode;
 
 use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
 
 use crate::page::Picture;
 use lcplab_lcp::error::Result;
@@ -62,6 +63,7 @@ pub enum Format {
 /// let blocks = &document.sections[0].blocks;
 /// assert_eq!(blocks[0].text(), "\nThe weight\n");
 /// assert!(blocks[2].text().contains("19.62") && blocks[2].markdown().contains("19.62"));
+/// assert_eq!(blocks[3].to_json()["formula"], serde_json::json!(["A = ", [["0", "1"]]]));
 /// assert!(matches!(blocks[1].on_page(), lcplab_page::page::Block::Text(_)));
 /// # Ok::<(), lcplab_lcp::error::Error>(())
 /// ```
@@ -225,6 +227,30 @@ impl Document {
         if let Some(part) = self.sections.last_mut() {
             part.blocks.push(Block::Heading(title));
             part.blocks.extend(section.blocks);
+        }
+    }
+}
+
+impl Block {
+    /// The block for a script that shows it: words, a table, or the pieces of a formula, where a
+    /// matrix is a list of rows.
+    pub fn to_json(&self) -> Value {
+        let piece = |piece: &Piece| match piece {
+            Piece::Symbols { text, .. } => json!(text),
+            Piece::Grid(grid) => json!(grid.cells(plain, ["…", "⋮", "⋱"])),
+        };
+        match self {
+            Block::Heading(words) => json!({ "heading": words }),
+            Block::Text(words) => json!({ "text": words }),
+            Block::Formula(own) => json!({
+                "formula": own.pieces.iter().map(piece).collect::<Value>(),
+                "remark": format!("{} {}", own.unit, own.left_out()).trim(),
+            }),
+            Block::Table(own) => json!({
+                "table": own.title, "columns": own.columns, "rows": own.rows, "left_out": own.left_out,
+                "numeric": (0..own.columns.len()).map(|c| own.is_numeric(c)).collect::<Value>(),
+            }),
+            Block::Figure(own) => json!({ "text": own.caption }),
         }
     }
 }
