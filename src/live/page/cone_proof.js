@@ -124,10 +124,8 @@ function drawWidths() {
 }
 
 function drawWords([, sentence]) {
-  const { state: name, x, boxes } = found, [equations, inequalities] = CONDITIONS[name];
-  const row = (name, values) => name.padEnd(7) + values.map((value) => value.padEnd(11)).join("").trimEnd();
+  const { state: name, x } = found, [equations, inequalities] = CONDITIONS[name];
   const lines = [`state: ${NAMES[name]}`, `equations F = 0: ${equations}`, `inequalities everywhere in X: ${inequalities}`, `x = (${x.map((v) => short(v, 6)).join(", ")}) N s`];
-  if (name !== "open" && boxes.length > 0) lines.push("", "half-widths in N s", row("", ["xₙ", "xₜ₁", "xₜ₂"]), ...boxes.map(({ radius }, k) => row(k === 0 ? "X" : k === 1 ? "K(X)" : `K${"²³⁴⁵⁶⁷"[k - 2]}(X)`, radius.map((r) => short(r, 3)))));
   find("#words").textContent = lines.join("\n");
   find("#says").textContent = sentence;
 }
