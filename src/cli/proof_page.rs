@@ -57,7 +57,7 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
                 && unit(problem).is_some()
                 && agree_in_w(problem, &values(&problem.lcp, x), &values(&problem.lcp, y)) =>
         {
-            " The contacts can share the forces in more than one way; $w$ is the same in both but for the rounding of $A$ and $b$ in the file, so the bodies move alike."
+            " The contacts can share the forces in more than one way, but the bodies move alike: $w$ is the same in both but for the rounding of $A$ and $b$ in the file."
         }
         _ => "",
     };
@@ -80,7 +80,7 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
             "**Proved: {sentence}{limits}.**{meaning} The problem has {rows}{}.{stronger}",
             contacts(problem)
         ),
-        opening: [claim].into_iter().chain(picture.map(Block::Figure)).collect(),
+        opening: picture.map(Block::Figure).into_iter().chain([claim]).collect(),
         sections,
         ..Page::default()
     }
@@ -189,14 +189,10 @@ fn drawing(problem: &Problem, points: &[Vec<RBig>], shown: &[usize]) -> Picture 
         [x, y] => {
             let apart = |i: &usize| (x[*i] - y[*i]).abs();
             let most = readable(shown.iter().map(apart).fold(0.0, f64::max), 3);
-            let rows = shown.iter().filter(|i| readable(apart(i), 3) == most);
-            let rows: Vec<String> = rows.map(|i| format!("row {}", label(problem, *i))).collect();
-            let place = match &rows[..] {
-                [_, _, _, ..] => counted(rows.len(), "row"),
-                rows => rows.join("; "),
-            };
             (
-                format!("Within their limits, x and y differ by up to {most} {unit} ({place})"),
+                format!(
+                    "Two solutions, x and y, within the limits: they differ by up to {most} {unit}"
+                ),
                 "x, y",
             )
         }
