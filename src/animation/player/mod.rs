@@ -37,7 +37,7 @@ const CALM: f64 = 2.5;
 /// The largest number of moving bodies whose motion is visible in one picture.
 const FEW: usize = 2;
 /// Names whose colors are used for variants of one name.
-const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact"];
+const SPARE: [&str; 5] = ["acceleration", "soft", "penalty", "position", "exact answers"];
 
 /// One scene, simulated in several ways.
 ///

@@ -430,9 +430,11 @@ impl Record {
         }
         let remedy = match self.scene.step.scheme {
             Scheme::Velocity | Scheme::SequentialImpulses if self.scene.step.baumgarte > 0.0 => {
-                "a shorter step or a larger step.baumgarte reduces it"
+                "a shorter step reduces it, and so does correcting more of it per step (step.baumgarte)"
             }
-            Scheme::Velocity | Scheme::SequentialImpulses => "set step.baumgarte to correct it",
+            Scheme::Velocity | Scheme::SequentialImpulses => {
+                "step.baumgarte is the part of it to correct per step"
+            }
             // Feedback cannot hold what rows of a nearly singular A throw apart.
             Scheme::Acceleration if self.has_diverged => {
                 "the motion diverged: try a shorter step or the scheme velocity"

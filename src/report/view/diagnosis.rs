@@ -91,7 +91,7 @@ fn pictures(
 /// The scene as it is solved next to the exact one; bodies with an error are red.
 fn animation(scene: &Scene, steps: usize) -> Result<Animation> {
     let recordings = [
-        recording("exact", &exact(scene), steps, &|_| vec![0.0; scene.bodies.len()])?,
+        recording("exact answers", &exact(scene), steps, &|_| vec![0.0; scene.bodies.len()])?,
         recording(&scene.solver.name, scene, steps, &|step| unsupported(scene, step))?,
     ];
     Ok(Animation::new("animation", scene, recordings.into()))

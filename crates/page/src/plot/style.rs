@@ -156,6 +156,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("rk4", (116, 13, 23), 5, 3),
     ("active_set_of_pgs_changes", (0, 94, 170), 0, 6),
     ("exact", BLACK, 0, 0),
+    ("exact_answers", BLACK, 0, 0),
     ("limits", (140, 146, 156), 0, 7),
     ("gauss_seidel_sweeps", BLUE, 0, 0),
     ("printed", VERMILION, 1, 1),
