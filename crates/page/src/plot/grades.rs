@@ -76,7 +76,7 @@ impl Grade {
 
     fn words(self) -> String {
         match self {
-            Grade::Obeyed => String::new(),
+            Grade::Obeyed => "✓".into(),
             // Thousands are abbreviated, because a cell has the room of four characters.
             Grade::Missed(miss) if (995.0..9.5e5).contains(&miss) => {
                 format!("{}k", readable(miss / 1e3, 2))

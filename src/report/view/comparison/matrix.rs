@@ -25,7 +25,7 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
         [] => "No scheme keeps all gaps and joints".into(),
         [only] => format!("Only {} keeps all gaps and joints", only.name()),
         [best, ..] => format!(
-            "{} of {} schemes keep all gaps and joints; of them {} has the smallest error of the energy",
+            "{} of {} schemes keep all gaps and joints; of them {} has the smallest worst error of the energy",
             kept.len(),
             schemes.len(),
             best.name()
@@ -69,31 +69,24 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
 /// The schemes that keep gaps and joints within tolerance in every scene that begins so, the one
 /// with the smallest error of the energy first.
 pub fn kept(findings: &[Comparison], schemes: &[Scheme]) -> Vec<Scheme> {
-    let energy = |scheme: &Scheme| worst(findings, *scheme, |_, run| excess(run)).0;
-    let is_kept = |scheme: &&Scheme| worst(findings, **scheme, error).0 <= 1.0;
+    let energy = |scheme: &Scheme| worst(findings, *scheme, |_, run| excess(run));
+    let is_kept = |scheme: &&Scheme| worst(findings, **scheme, error) <= 1.0;
     let mut kept: Vec<Scheme> = schemes.iter().filter(is_kept).copied().collect();
     kept.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
     kept
 }
 
-/// The largest error of a scheme in the scenes that begin within tolerance, and its scene; infinite
-/// without a run.
-pub fn worst(
-    findings: &[Comparison],
-    scheme: Scheme,
-    error: fn(&Comparison, &Run) -> f64,
-) -> (f64, &str) {
+/// The largest error of a scheme in the scenes that begin within tolerance; infinite without a run.
+fn worst(findings: &[Comparison], scheme: Scheme, error: fn(&Comparison, &Run) -> f64) -> f64 {
     let scenes = findings.iter().filter(|own| own.starts_within_tolerance());
-    let errors = scenes.map(|own| {
-        let run = own.best_run(scheme);
-        (run.map_or(f64::INFINITY, |run| error(own, run)), own.scene.as_str())
-    });
-    errors.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((f64::INFINITY, ""))
+    let errors =
+        scenes.map(|own| own.best_run(scheme).map_or(f64::INFINITY, |run| error(own, run)));
+    errors.max_by(f64::total_cmp).unwrap_or(f64::INFINITY)
 }
 
 /// The largest error of gaps and joints of a run relative to its tolerance; infinite if it ended
 /// early or a body passed through another one.
-pub fn error(comparison: &Comparison, run: &Run) -> f64 {
+fn error(comparison: &Comparison, run: &Run) -> f64 {
     match run.steps < comparison.steps || run.laws.passages > 0 {
         true => f64::INFINITY,
         false => {
@@ -117,7 +110,7 @@ fn energy(comparison: &Comparison, run: &Run) -> Grade {
 }
 
 /// The error of the energy of a run relative to its tolerance.
-pub fn excess(run: &Run) -> f64 {
+fn excess(run: &Run) -> f64 {
     run.laws.energy_error.abs() / run.laws.energy_tolerance
 }
 

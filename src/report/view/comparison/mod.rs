@@ -120,49 +120,13 @@ impl Plan {
         let Some((best, also)) = kept.split_first() else {
             return Some(format!("**None of {schemes} keeps {held}.**"));
         };
-        let mut says = format!("**Of {schemes} use {}: it keeps {held}.**", title(best));
-        let energy =
-            |scheme: &Scheme| matrix::worst(findings, *scheme, |_, run| matrix::excess(run));
-        let gap = |scheme: &Scheme| matrix::worst(findings, *scheme, matrix::error).0;
-        let (error, scene) = energy(best);
-        if let (Some(second), Some(last)) = (also.first(), also.last()) {
-            let widest = also.iter().map(gap).fold(0.0, f64::max);
-            says += &format!(
-                " So do {}, but their largest error of the energy is {} to {} times its tolerance, that of {} {} ({}). \
-                 Errors of gaps and joints reach {} % of their tolerance with {}, at most {} % with the other{}.",
-                listed(&also.iter().map(title).collect::<Vec<_>>()),
-                readable(energy(second).0, 2),
-                readable(energy(last).0, 2),
-                title(best),
-                readable(error, 2),
-                scene.replace('_', " "),
-                readable(100.0 * gap(best), 2),
-                title(best),
-                readable(100.0 * widest, 2),
-                if also.len() > 1 { "s" } else { "" },
-            );
-        }
-        for own in findings.iter().filter(|own| !own.starts_within_tolerance()) {
-            let added = |scheme: &Scheme| own.best_run(*scheme).map(Run::energy_change);
-            let most = kept.iter().filter_map(|scheme| Some((added(scheme)?, scheme)));
-            let most = most.max_by(|a, b| a.0.total_cmp(&b.0));
-            if let Some(((most, worst), added)) =
-                most.zip(added(best)).filter(|((most, _), own)| most > own)
-            {
-                let all = own.runs.iter().map(Run::energy_change);
-                let is_least = all.fold(f64::INFINITY, f64::min) >= added;
-                says += &format!(
-                    " Where bodies start inside each other ({}), {} adds {} J{}; {} adds {} J.",
-                    own.scene.replace('_', " "),
-                    title(best),
-                    readable(added, 2),
-                    if is_least { ", no scheme less" } else { "" },
-                    title(worst),
-                    readable(most, 2)
-                );
+        let rivals = match &also.iter().map(title).collect::<Vec<_>>()[..] {
+            [] => String::new(),
+            rivals => {
+                format!(" So do {}, but their worst error of the energy is larger.", listed(rivals))
             }
-        }
-        Some(says)
+        };
+        Some(format!("**Of {schemes} use {}: it keeps {held}.**{rivals}", title(best)))
     }
 
     /// The schemes or solvers with problems without an answer, and the reason of a single one.
