@@ -12,7 +12,7 @@ use crate::report::study::profiles::{
     Cost, FamilyAttempts, Plan, Profile, costs, of_all, profiles,
 };
 use crate::report::study::trial::{self, Attempt};
-use crate::solver::{Dantzig, Entry, Group, Mprgp, Registry};
+use crate::solver::{Dantzig, Entry, Group, Registry};
 
 const PROFILE: &str = r"
 A performance profile (Dolan & Moré 2002) compares the solvers problem by problem. Let $t_{ps}$ be the cost of solver s on
@@ -90,22 +90,14 @@ impl Plan {
             count => format!("; no solver solves {count} problems"),
         };
         let (_, all) = of_contacts(advised[0]);
-        let sparse = solvers.iter().filter(|solver| *solver == Mprgp::NAME).map(|solver| {
-            let solved = of_contacts(solver).0;
-            format!(
-                " *{solver}*, which the standard report (`lcplab report`) recommends for contacts because its cost \
-                 remains small with large sparse A, solves {solved} of these {all}."
-            )
-        });
         Some(format!(
             "**Use {}: {} {best} of the {} problems that have a solution, the most of {} solvers{with}, and {most} of \
-             the {all} with symmetric semidefinite A, as contacts and joints have** (tolerance {}{others}).{}",
+             the {all} with symmetric semidefinite A, as contacts and joints have** (tolerance {}{others}).",
             italic(&advised).join(" or "),
             if advised.len() == 1 { "it solves" } else { "each solves" },
             costs.len(),
             solvers.len(),
-            tolerance(self.tolerances[last]),
-            sparse.collect::<String>()
+            tolerance(self.tolerances[last])
         ))
     }
 
