@@ -275,7 +275,11 @@ fn draw_cell(canvas: &mut Canvas, grade: Grade, (x, y): (f64, f64), width: f64) 
     ));
     // The ink contrasts with the shade also on a dark page, which inverts both.
     let is_dark = SHADES[3..].iter().any(|(_, color, _)| *color == grade.color());
-    let ink = if is_dark { "#ffffff" } else { "#22262d" };
+    let ink = match grade {
+        Grade::Obeyed => "#5f8f7c", // faint, so that numbers stand out
+        _ if is_dark => "#ffffff",
+        _ => "#22262d",
+    };
     canvas.raw(&format!(
         "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-size=\"{SMALL}\" fill=\"{ink}\">{}</text>\n",
         x + width / 2.0,
