@@ -1,12 +1,9 @@
-//! What the storages and the stepper say of their memory, beside what the allocator saw. A program
-//! of its own: it replaces the global allocator by one that counts, thread by thread.
+//! The memory of storages and of the stepper as the allocator saw it. A program of its own: it
+//! replaces the global allocator by one that counts, thread by thread.
 
 use allocation_counter::measure;
-use lcplab::lcp::{Lcp, Matrix};
 use lcplab::scene::Scene;
 use lcplab::simulation::stepper::{Kernel, Stepper};
-use lcplab::solver::kernel::Width;
-use lcplab::solver::kernel::impulses::{Row, RowByRow, SimdPairs, System};
 use lcplab::storage::{ALL, Entry};
 
 /// A pile of boxes as a step meets it: `contacts` contacts of three rows, between neighbors.
@@ -32,28 +29,6 @@ fn the_bytes_of_a_storage_are_those_the_allocator_saw() {
             assert!(body > 0 && body < 100, "{} with {contacts}: {body}", kind.name);
         }
     }
-}
-
-/// Besides its arrays a kernel has its threads and the counters that they share.
-#[test]
-fn the_bytes_of_a_kernel_are_those_the_allocator_saw() {
-    let bodies = 100;
-    let row = |i: usize| Row { bodies: [i / 3, i / 3 + 1], jacobian: [[1.0; 6]; 2] };
-    let rows: Vec<Row> = (0..3 * (bodies - 1)).map(row).collect();
-    let n = rows.len();
-    let (lo, hi) = (vec![0.0; n], vec![f64::INFINITY; n]);
-    let lcp = Lcp::new(Matrix::sparse(n, &[]), vec![-1.0; n], lo, hi).unwrap();
-    let mut system = None;
-    let made = measure(|| system = Some(System::new(bodies, &rows, &lcp).unwrap()));
-    let system = system.unwrap();
-    assert_eq!(made.bytes_current, system.bytes() as i64);
-    let mut plain = None;
-    let made = measure(|| plain = Some(RowByRow::new(&system)));
-    assert_eq!(made.bytes_current, plain.unwrap().bytes() as i64);
-    let mut eight = None;
-    let made = measure(|| eight = Some(SimdPairs::new(&system, Width::widest()).unwrap()));
-    let beside = made.bytes_current - eight.unwrap().bytes() as i64;
-    assert!((0..1000).contains(&beside), "{beside}");
 }
 
 const KERNELS: [Kernel; 3] =
@@ -83,24 +58,6 @@ fn a_warm_step_of_a_scene_allocates_nothing() {
             stepper.restart();
             let warm = measure(|| (0..20).for_each(|_| stepper.step().unwrap()));
             assert_eq!(warm.count_total, 0, "{} by {kernel:?}: {warm:?}", scene.name);
-        }
-    }
-}
-
-#[test]
-fn the_bytes_of_a_stepper_are_about_those_the_allocator_saw() {
-    let large = |scene: &Scene| scene.bodies.len() > 30;
-    for scene in scenes().into_iter().filter(large) {
-        for kernel in KERNELS {
-            let mut stepper = None;
-            let given = scene.clone();
-            let info = measure(|| {
-                let mut made = Stepper::new(given, 10, kernel).unwrap();
-                (0..3).for_each(|_| made.step().unwrap());
-                stepper = Some(made);
-            });
-            let part = stepper.unwrap().bytes() as f64 / info.bytes_current as f64;
-            assert!((0.8..1.2).contains(&part), "{} by {kernel:?}: {part}", scene.name);
         }
     }
 }

@@ -9,7 +9,7 @@
 use nalgebra::Vector3;
 use parry3d_f64::bounding_volume::{Aabb, BoundingVolume};
 use parry3d_f64::glamx::DVec3;
-use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode, BvhWorkspace};
+use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhWorkspace};
 
 use super::solid::Solid;
 
@@ -85,14 +85,6 @@ impl Broad {
             tree.traverse_bvtt_single_tree::<false>(workspace, found);
         }
         pairs.sort_unstable();
-    }
-
-    /// The size of its arrays in bytes; the workspace is counted as one box per box of the tree.
-    pub fn bytes(&self) -> usize {
-        let leaves = self.tree.leaf_count() as usize * size_of::<BvhNode>();
-        let boxes = self.boxes.capacity() * size_of::<(usize, Aabb)>();
-        let pairs = self.pairs.capacity() * size_of::<[usize; 2]>();
-        self.tree.heap_memory_size() + leaves + boxes + pairs
     }
 
     /// The pairs found last.

@@ -264,19 +264,6 @@ impl Detector {
         std::mem::replace(&mut self.found, room)
     }
 
-    /// The size of its arrays in bytes, without the polytopes, which bodies may share.
-    pub(crate) fn bytes(&self) -> usize {
-        let solids = self.solids.iter().flatten().map(Solid::bytes).sum::<usize>();
-        solids
-            + self.solids.capacity() * size_of::<Option<Solid>>()
-            + self.owners.capacity() * size_of::<Owner>()
-            + self.arms.capacity() * size_of::<f64>()
-            + self.apart.capacity() * size_of::<[usize; 2]>()
-            + self.broad.bytes()
-            + self.touches.capacity() * size_of::<Touch>()
-            + self.found.capacity() * size_of::<DetectedContact>()
-    }
-
     /// The first phase of [`find`](Detector::find): pairs of bodies that are near each other.
     pub(crate) fn find_pairs(&mut self, scene: &Scene, states: &[State], reach: Reach) {
         let half = |site: Site| reach.of_body(scene, states, site);

@@ -142,15 +142,6 @@ impl Solid {
         inwards.extend(polytope.edges.iter().zip(&*directions).map(inward));
     }
 
-    /// The size of its arrays in bytes, without the polytope, which may be shared.
-    pub fn bytes(&self) -> usize {
-        let points =
-            self.vertices.capacity() + self.normals.capacity() + self.directions.capacity();
-        points * size_of::<Vector3<f64>>()
-            + self.lengths.capacity() * size_of::<f64>()
-            + self.inwards.capacity() * size_of::<Option<[Vector3<f64>; 2]>>()
-    }
-
     /// The edges, grouped into parallel ones.
     pub(crate) fn parallels(&self) -> &[Vec<usize>] {
         &self.parallels

@@ -77,14 +77,6 @@ impl Impulses {
         bounced.x.clear();
         Ok(())
     }
-
-    /// The bytes that its arrays hold.
-    pub fn bytes(&self) -> usize {
-        let answers = [&self.first, &self.bounced];
-        let numbers: usize =
-            answers.iter().map(|a| a.x.capacity() + a.before.capacity() + a.start.capacity()).sum();
-        self.contacts.capacity() * size_of::<Place>() + numbers * size_of::<f64>()
-    }
 }
 
 impl Answer {

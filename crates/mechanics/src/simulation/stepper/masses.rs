@@ -121,13 +121,6 @@ impl Masses {
             };
         }
     }
-
-    /// The bytes that its arrays hold.
-    pub fn bytes(&self) -> usize {
-        self.bodies.capacity() * size_of::<Moving>()
-            + self.places.capacity() * size_of::<Option<usize>>()
-            + 2 * self.free.capacity() * size_of::<Velocity>()
-    }
 }
 
 impl Moving {

@@ -104,7 +104,6 @@ impl Part {
 ///     assert!((x - expected).abs() < 1e-9);
 /// }
 /// assert_eq!((stepper.time(), stepper.order()), (1.0, vec![0, 1, 2]));
-/// assert!(stepper.bytes() > 0);
 /// assert_eq!((parts.last(), Part::Motion.name()), (Some(&Part::Motion), "motion"));
 /// stepper.restart();
 /// assert_eq!((stepper.time(), stepper.states()), (0.0, &stepper.scene().states[..]));
@@ -203,15 +202,6 @@ impl Stepper {
     /// The rows of the last step in the order in which they were swept.
     pub fn order(&self) -> Vec<usize> {
         self.sweeper.order(self.impulses.x().len())
-    }
-
-    /// The bytes that the arrays of a step hold: contacts, rows and what sweeps; not the scene.
-    pub fn bytes(&self) -> usize {
-        self.detector.bytes()
-            + self.masses.bytes()
-            + self.rows.bytes()
-            + self.sweeper.bytes()
-            + self.impulses.bytes()
     }
 
     /// Takes one step; after a failure the states are those before it.

@@ -103,14 +103,6 @@ impl Rows {
         });
         excess_of(sizes, 0.0)
     }
-
-    /// The bytes that its arrays hold.
-    pub fn bytes(&self) -> usize {
-        self.system.bytes()
-            + self.contacts.capacity() * size_of::<Place>()
-            + self.approaching.capacity() * size_of::<(usize, f64, f64)>()
-            + self.own.capacity() * size_of::<constraint::Row>()
-    }
 }
 
 fn refused(asking: &RowRequest, source: Source, status: &Status) -> Cause {

@@ -60,13 +60,4 @@ impl Sweeper {
             Form::SimdPairs(kernel) => kernel.order(),
         }
     }
-
-    /// The bytes that its arrays hold.
-    pub fn bytes(&self) -> usize {
-        let form = match &self.form {
-            Form::RowByRow(kernel) => kernel.bytes(),
-            Form::SimdPairs(kernel) => kernel.bytes(),
-        };
-        form + self.v.capacity() * size_of::<Velocity>()
-    }
 }

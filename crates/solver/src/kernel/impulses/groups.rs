@@ -171,16 +171,6 @@ impl Groups {
             Some(pair_lanes)
         })
     }
-
-    /// The size of its arrays in bytes.
-    pub fn bytes(&self) -> usize {
-        super::bytes(&self.pairs)
-            + super::bytes(&self.follows)
-            + super::bytes(&self.made_of)
-            + super::bytes(&self.height)
-            + super::bytes(&self.taken)
-            + super::bytes(&self.sizes)
-    }
 }
 
 /// Gives each pair of a layer the least color, from `first` on, that neither of its bodies has;

@@ -173,14 +173,4 @@ impl System {
         };
         value.max(lo).min(hi)
     }
-
-    /// The size of its arrays in bytes.
-    pub fn bytes(&self) -> usize {
-        bytes(&self.rows) + bytes(&self.aims) + bytes(&self.inverse)
-    }
-}
-
-/// The size of an array in bytes.
-fn bytes<T>(array: &Vec<T>) -> usize {
-    array.capacity() * size_of::<T>()
 }

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use super::groups::{Groups, Pair};
 use super::velocities::Velocities;
-use super::{System, WIDTH, bytes};
+use super::{System, WIDTH};
 use crate::kernel::lanes::{Lanes, prefetch};
 
 /// The octets of one thread, some of each group.
@@ -133,11 +133,6 @@ impl Share {
             first = end;
             after_group();
         }
-    }
-
-    /// The size of its arrays in bytes.
-    pub fn bytes(&self) -> usize {
-        bytes(&self.lane_groups) + bytes(&self.groups) + bytes(&self.rows) + bytes(&self.follows)
     }
 }
 

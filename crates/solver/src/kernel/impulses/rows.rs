@@ -1,6 +1,6 @@
 //! Sequential impulses row by row, in the given order.
 
-use super::{Row, System, Velocity, WIDTH, bytes};
+use super::{Row, System, Velocity, WIDTH};
 
 /// Projected Gauss-Seidel row by row.
 #[derive(Debug, Clone, Default)]
@@ -52,10 +52,5 @@ impl RowByRow {
     /// v, one entry per body.
     pub fn v(&self) -> &[Velocity] {
         &self.v
-    }
-
-    /// The size of its arrays in bytes.
-    pub fn bytes(&self) -> usize {
-        bytes(&self.x) + bytes(&self.v)
     }
 }

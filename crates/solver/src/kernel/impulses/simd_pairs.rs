@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::groups::Groups;
 use super::pair_lanes::{self, NOBODIES, Share};
 use super::thread_pool::{Shared, ThreadPool};
-use super::{System, Velocity, WIDTH, bytes};
+use super::{System, Velocity, WIDTH};
 use crate::Status;
 use crate::kernel::lanes::Width;
 
@@ -123,11 +123,5 @@ impl SimdPairs {
     /// The number of threads: as many as were requested and available.
     pub fn threads(&self) -> usize {
         self.shares.len()
-    }
-
-    /// The size of its arrays in bytes.
-    pub fn bytes(&self) -> usize {
-        let shares: usize = self.shares.iter().map(Share::bytes).sum();
-        self.groups.bytes() + shares + self.shared.v.bytes() + bytes(&self.v)
     }
 }

@@ -67,9 +67,4 @@ impl Velocities {
             }
         }
     }
-
-    /// The size in bytes.
-    pub fn bytes(&self) -> usize {
-        super::bytes(&self.0)
-    }
 }
