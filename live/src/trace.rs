@@ -159,12 +159,12 @@ impl<'a> Steps<'a> {
         if self.steps.len() < self.most {
             let n = self.lcp.len();
             let residual = |i| RowTerms::at(self.lcp, i, x).scaled_residual(self.lcp, i, x);
-            let is_open = |&i: &usize| !(residual(i) <= Settings::default().tolerance);
+            let is_solved = |i: usize| residual(i) <= Settings::default().tolerance;
             self.steps.push(json!({
                 "x": numbers(x),
                 "w": numbers(&self.lcp.w(x)),
                 "bounds": (0..n).map(|i| { let (lo, hi) = self.lcp.bounds(i, x); numbers(&[lo, hi]) }).collect::<Value>(),
-                "open": (0..n).filter(is_open).collect::<Value>(),
+                "open": (0..n).filter(|&i| !is_solved(i)).collect::<Value>(),
                 "residual": number(merit::scaled_residual(self.lcp, x)),
                 "event": event,
                 "rows": rows,
