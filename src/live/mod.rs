@@ -67,8 +67,8 @@ pub const PAGES: [Page; 6] = [
     ),
     page!(
         "cone_proof",
-        "A box that shrinks",
-        "a box that shrinks: the friction disk, a box around x, and its images, which close in on the exact impulse"
+        "Proof by a shrinking box",
+        "proof by a shrinking box: the friction disk, a box around x, and its images, which close in on the exact impulse"
     ),
     page!(
         "painleve",

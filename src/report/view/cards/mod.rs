@@ -256,8 +256,7 @@ fn settings(record: &Record) -> Table {
         "Settings of the engines",
         "All differences from the default settings of an engine. Accurate settings are those that \
          the documentation of the engine recommends; if it recommends none, the text names their source. \
-         lcplab's own steps and stiffness were tuned on these scenes. The adapters translate and correct \
-         nothing; they reject scenes that an engine cannot express. Times are those of the machine that ran \
+         The adapters translate and correct nothing; they reject scenes that an engine cannot express. Times are those of the machine that ran \
          the engines; a step of sleeping bodies costs little.",
         "package | settings | in words | #time for one second of the tower of ten (ms)",
         rows.collect(),

@@ -82,7 +82,7 @@ fn answer(progress: &Progress, first: &MethodProgress, choices: &[&Progress]) ->
     let left = left(progress).map_or(String::new(), |share| {
         format!(
             " On {} (Figure 1), ten sweeps of *pgs* (projected Gauss-Seidel), a typical budget in engines, leave {share} \
-             of the weight unsupported: a sweep passes load only from contact to contact{}.",
+             of the weight unsupported in the first step: a sweep passes load only from contact to contact{}.",
             in_words(&progress.problem),
             supported(progress, first).unwrap_or_default()
         )
@@ -162,7 +162,8 @@ fn decision(choices: &[&Progress]) -> Option<[String; 2]> {
         });
         let (high, low, worst) = costs.max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))?;
         Some(format!(
-            " *{rival}* is cheaper for the {}, but for the {worst} it costs as much as {} sweeps of *pgs*, *{solver}* {}.",
+            " *{rival}* is cheaper for the {}, but for the {worst} it costs as much as {} sweeps of *pgs*, *{solver}* {} \
+             (pivoting is counted with dense matrices).",
             listed(&kinds),
             rough(high),
             rough(low)
