@@ -250,10 +250,12 @@ fn costs(progress: &Progress, solved: &[&MethodProgress], default: Option<(&str,
         id: id(&progress.problem, "costs"),
         title: title(progress, solved, default.map_or("", |(solver, _)| solver)),
         caption: format!(
-            "{} ({} rows): multiplications needed to reach a scaled residual of {}. Right: relative to the cheapest.{}",
+            "{} ({} rows): multiplications needed to reach a scaled residual of {}; SOR uses ω = {}. Right: relative to the \
+             cheapest.{}",
             progress.problem,
             count(progress.rows),
             tolerance(progress.tolerance),
+            readable(progress.omega, 3),
             full_names(solved.iter().map(|method| method.solver.as_str()))
         ),
         x: Axis::log("multiplications", ""),

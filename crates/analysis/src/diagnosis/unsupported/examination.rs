@@ -1,21 +1,18 @@
 //! The examination of a scene or a sequence of problems: symptoms, causes and remedies.
 
-use lcplab_page::document::{Block, Document, Section};
+use lcplab_page::document::{Document, Section};
 use lcplab_page::number::{capitalized, readable};
 use serde_json::{Value, json};
 
 use super::cause::{Moving, Slow};
 use super::examine::UnsupportedLoad;
 use super::frame::Frame;
-use super::remedy::{Remedy, RemedyEffect, UNCHANGED};
-use super::show::percent;
+use super::remedy::RemedyEffect;
+use super::remedy_table;
 use super::thresholds::{HEALTHY, LARGE_PART, REPORTED_DEPTH};
 
 /// Significant digits of measured values.
 const DIGITS: usize = 2;
-
-/// A remedy that leaves a larger part of the error is of no help.
-const HELPFUL: f64 = 0.95;
 
 /// The text if no cause was found but the motion has errors that no residual shows.
 const WARNED_WORDS: &str =
@@ -296,7 +293,7 @@ impl Examination {
             words.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(" ");
         let found = self.unsupported.as_ref();
         let mut sections: Vec<Section> = self.why().into_iter().collect();
-        sections.extend(self.remedies_section());
+        sections.extend(remedy_table::section(self.unsupported.as_ref(), &self.remedy_effects));
         sections.extend(
             found.filter(|found| found.is_short()).and_then(UnsupportedLoad::loads_section),
         );
@@ -395,72 +392,6 @@ impl Examination {
             worst("energy gain in the step", &|k| Some(energy(k)? - energy(k.checked_sub(1)?)?)),
         ];
         measures.into_iter().flatten().collect()
-    }
-
-    /// The remedies: the error of the examined solve with each, and of a whole run.
-    fn remedies_section(&self) -> Option<Section> {
-        let best = self.unsupported.as_ref().and_then(UnsupportedLoad::remedy_in_words);
-        let title = best.map_or("remedies".into(), |best| format!("remedies: {best}"));
-        let mut section = Section::new(title);
-        let solved = self.unsupported.iter().flat_map(|found| &found.remedies);
-        let of_run = |what: &str| self.remedy_effects.iter().find(|own| own.what == what);
-        let now = self.unsupported.as_ref().map_or(0.0, |found| found.missing);
-        let (tried, useless): (Vec<&Remedy>, Vec<&Remedy>) =
-            solved.partition(|own| of_run(&own.what).is_some() || own.missing < HELPFUL * now);
-        let short = |part: f64| percent(part).replace("less than", "<");
-        let run = |own: Option<&RemedyEffect>| match own {
-            Some(own) => [short(own.missing), readable(own.off, DIGITS)],
-            None => ["–".into(), "–".into()],
-        };
-        let cost = |work: f64| match work.is_nan() {
-            true => "–".into(),
-            false => readable(work, DIGITS),
-        };
-        let row = |own: &&Remedy| {
-            let solve = [own.what.clone(), short(own.missing), cost(own.work)];
-            solve.into_iter().chain(run(of_run(&own.what))).collect()
-        };
-        let mut rows: Vec<Vec<String>> = tried.iter().map(row).collect();
-        let is_new = |own: &&RemedyEffect| tried.iter().all(|remedy| remedy.what != own.what);
-        rows.extend(self.remedy_effects.iter().filter(is_new).map(|own| {
-            let solve = match self.unsupported.as_ref().filter(|_| own.what == UNCHANGED) {
-                Some(found) => [short(found.missing), cost(found.work)],
-                None => ["–".into(), "–".into()],
-            };
-            [own.what.clone()].into_iter().chain(solve).chain(run(Some(own))).collect()
-        }));
-        if rows.is_empty() && useless.is_empty() {
-            return None;
-        }
-        let error = |row: &[String]| match row[0] == UNCHANGED {
-            true => -1.0,
-            false => of_run(&row[0]).map_or(f64::INFINITY, |own| own.missing),
-        };
-        rows.sort_by(|a, b| error(a).total_cmp(&error(b)));
-        let best = self.unsupported.as_ref().and_then(UnsupportedLoad::best_remedy);
-        let best = best.and_then(|best| rows.iter().position(|row| row[0] == best.what));
-        section.say(
-            "Each change was tried alone; the best one is bold. An error of 0 % is the exact motion, one of 100 % is as large as \
-             the effect of all constraints together; that of a run is the mean of its second half. The distance is that of the \
-             body farthest from its exact position at the end of the run, a single instant: it can be larger although the \
-             mean error is smaller. –: not measured.",
-        );
-        let columns = [
-            "change",
-            "error of this solve",
-            "its multiplications",
-            "error of the run",
-            "distance (m)",
-        ];
-        section.table("the error with each change", &columns, rows);
-        if let Some(Block::Table(table)) = section.blocks.last_mut() {
-            table.chosen = best.filter(|k| *k < table.rows.len());
-        }
-        if !useless.is_empty() {
-            let names: Vec<&str> = useless.iter().map(|own| own.what.as_str()).collect();
-            section.say(format!("No help: {}.", names.join(", ")));
-        }
-        Some(section)
     }
 
     /// The same as JSON.

@@ -20,6 +20,7 @@ mod reference;
 mod remedy;
 #[cfg(feature = "mechanics")]
 mod remedy_effect;
+mod remedy_table;
 #[cfg(feature = "mechanics")]
 mod run;
 mod sequence;
