@@ -281,7 +281,7 @@ impl Animation {
         let ([(long, slow), ..], (short, fast)) = (&times[..], times.last()?) else { return None };
         (*long > DIFFERENT * short).then(|| {
             let [long, short] = [long, short].map(|time| readable(*time, 2));
-            format!("Dissipation ends within {long} s with {slow}, within {short} s with {fast}")
+            format!("Dissipation ends after about {long} s with {slow}, {short} s with {fast}")
         })
     }
 
