@@ -1,0 +1,99 @@
+//! The table of remedies: the error of the examined solve with each, and of a whole run.
+
+use lcplab_page::document::{Block, Section};
+use lcplab_page::number::readable;
+
+use super::examine::UnsupportedLoad;
+use super::remedy::{Remedy, RemedyEffect, UNCHANGED};
+use super::show::percent;
+
+/// Significant digits of measured values.
+const DIGITS: usize = 2;
+
+/// A remedy that leaves a larger part of the error is of no help.
+const HELPFUL: f64 = 0.95;
+
+const COLUMNS: [&str; 5] =
+    ["change", "error of this solve", "its multiplications", "error of the run", "distance (m)"];
+
+/// A change, the error of the examined solve with it and the cost of that solve, and its run.
+struct Trial<'a> {
+    what: &'a str,
+    solve: Option<(f64, f64)>,
+    run: Option<&'a RemedyEffect>,
+}
+
+/// The section of what was tried; `None` if nothing was.
+pub(super) fn section(
+    unsupported: Option<&UnsupportedLoad>,
+    effects: &[RemedyEffect],
+) -> Option<Section> {
+    let title = unsupported.and_then(UnsupportedLoad::remedy_in_words);
+    let mut section =
+        Section::new(title.map_or("remedies".into(), |best| format!("remedies: {best}")));
+    let now = unsupported.map(|found| (found.missing, found.work));
+    let run_now = effects.iter().find(|own| own.what == UNCHANGED).map(|own| own.missing);
+    let (mut helpful, useless): (Vec<Trial>, Vec<Trial>) =
+        trials(unsupported, effects).into_iter().partition(|trial| {
+            let solve = trial.solve.zip(now).is_some_and(|(own, now)| own.0 < HELPFUL * now.0);
+            let run = trial.run.zip(run_now).is_some_and(|(own, now)| own.missing < HELPFUL * now);
+            solve || run
+        });
+    if helpful.is_empty() && useless.is_empty() && run_now.is_none() {
+        return None;
+    }
+    let of_run = |trial: &Trial| trial.run.map_or(f64::INFINITY, |own| own.missing);
+    helpful.sort_by(|a, b| of_run(a).total_cmp(&of_run(b)));
+    let unchanged = effects.iter().find(|own| own.what == UNCHANGED);
+    let first = unchanged.map(|run| Trial { what: UNCHANGED, solve: now, run: Some(run) });
+    let shown: Vec<Trial> = first.into_iter().chain(helpful).collect();
+    section.say(
+        "Each change was tried alone; the best one is bold. An error of 0 % is the exact motion, one of 100 % is as large as \
+         the effect of all constraints together; that of a run is the mean of its second half. The distance is that of the \
+         body farthest from its exact position at the end of the run, a single instant: it can be larger although the \
+         mean error is smaller. –: not measured.",
+    );
+    section.table("the error with each change", &COLUMNS, shown.iter().map(row).collect());
+    let best = unsupported.and_then(UnsupportedLoad::best_remedy);
+    if let Some(Block::Table(table)) = section.blocks.last_mut() {
+        table.chosen = best.and_then(|best| shown.iter().position(|own| own.what == best.what));
+    }
+    if !useless.is_empty() {
+        let names: Vec<&str> = useless.iter().map(|own| own.what).collect();
+        section.say(format!("No help: {}.", names.join("; ")));
+    }
+    Some(section)
+}
+
+/// All changes, those that were tried on the examined solve first.
+fn trials<'a>(
+    unsupported: Option<&'a UnsupportedLoad>,
+    effects: &'a [RemedyEffect],
+) -> Vec<Trial<'a>> {
+    let solved: &[Remedy] = unsupported.map_or(&[], |found| &found.remedies);
+    let run_of = |what: &str| effects.iter().find(|own| own.what == what);
+    let of_solve = solved.iter().map(|own| Trial {
+        what: &own.what,
+        solve: Some((own.missing, own.work)),
+        run: run_of(&own.what),
+    });
+    let is_new = |own: &&RemedyEffect| {
+        own.what != UNCHANGED && solved.iter().all(|remedy| remedy.what != own.what)
+    };
+    let of_run = effects.iter().filter(is_new);
+    of_solve
+        .chain(of_run.map(|own| Trial { what: &own.what, solve: None, run: Some(own) }))
+        .collect()
+}
+
+fn row(trial: &Trial) -> Vec<String> {
+    let short = |part: f64| percent(part).replace("less than", "<");
+    let unknown = || "–".to_string();
+    let cost = |work: f64| if work.is_nan() { unknown() } else { readable(work, DIGITS) };
+    let (error, work) =
+        trial.solve.map_or((unknown(), unknown()), |(missing, work)| (short(missing), cost(work)));
+    let (run, off) = trial
+        .run
+        .map_or((unknown(), unknown()), |own| (short(own.missing), readable(own.off, DIGITS)));
+    vec![trial.what.to_string(), error, work, run, off]
+}
