@@ -12,7 +12,7 @@ use crate::recording::{Machine, Problem, Recording, Scene};
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Goal {
-    /// The problem.
+    /// The problem, or the scene of which a step counts.
     pub problem: String,
     /// Our method; the fastest of ours without one.
     pub ours: Option<String>,
@@ -64,7 +64,8 @@ pub fn markdown(recording: &Recording) -> String {
         text += &row(&problem.name, &problem.rows.to_string(), times);
     }
     for scene in &recording.scenes {
-        text += &row(&format!("{}, a step", scene.name), "", LIBRARIES.map(|l| scene.best(l)));
+        let times = LIBRARIES.map(|library| scene.best(|name, ours| owner(name, ours) == library));
+        text += &row(&format!("{}, a step", scene.name), "", times);
     }
     text + "\n"
 }
@@ -110,11 +111,18 @@ pub fn page(recording: &Recording, goals: &[Goal]) -> String {
 impl Recording {
     /// The ratio of the speeds by the best of all rounds; none if either has no answer.
     pub fn faster(&self, goal: &Goal) -> Option<f64> {
-        let problem = self.problems.iter().find(|problem| problem.name == goal.problem)?;
         let method = |name: &str| goal.ours.as_deref().is_none_or(|ours| ours == name);
         let peer = |name: &str| goal.peer.as_deref().is_none_or(|peer| name.starts_with(peer));
-        let ours = problem.best(|name, ours| ours && method(name))?;
-        Some(problem.best(|name, ours| !ours && peer(name))? / ours)
+        let ours = self.best(&goal.problem, |name, ours| ours && method(name))?;
+        Some(self.best(&goal.problem, |name, ours| !ours && peer(name))? / ours)
+    }
+
+    /// The least time (s) for a problem, or for a step of a scene.
+    fn best(&self, name: &str, who: impl Fn(&str, bool) -> bool) -> Option<f64> {
+        match self.problems.iter().find(|problem| problem.name == name) {
+            Some(problem) => problem.best(who),
+            None => self.scenes.iter().find(|scene| scene.name == name)?.best(who),
+        }
     }
 
     /// A line on a goal that is missed.
@@ -144,10 +152,9 @@ impl Problem {
 }
 
 impl Scene {
-    /// The least time (s) of a step of this library.
-    fn best(&self, library: &str) -> Option<f64> {
-        let engines =
-            self.engines.iter().filter(|engine| owner(&engine.engine, engine.ours) == library);
+    /// The least time (s) of a step of the engines, selected likewise.
+    fn best(&self, who: impl Fn(&str, bool) -> bool) -> Option<f64> {
+        let engines = self.engines.iter().filter(|engine| who(&engine.engine, engine.ours));
         engines.filter_map(|engine| engine.step).map(|time| time.best).reduce(f64::min)
     }
 }

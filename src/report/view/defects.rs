@@ -96,9 +96,10 @@ fn table(defects: &[&Defect]) -> Table {
     });
     let how = "*stage*: the part of the step that was wrong: collision (contacts and their geometry), assembly (the \
                rows and matrices of the problem), solver, or write-back (new velocities and reported forces). \
-               *releases*: with a link to the issue, if it has one. *the receipt says*: the first error of the first \
+               *releases*: with a link to the issue, if it has one. *detected in*: the rejected steps of the defective \
+               release. *the receipt says*: the first error of the first \
                rejected step or, if none is rejected, the comparison with the corrected release.";
-    let headings = "what was wrong | stage | releases | #rejected steps | #after the correction | the receipt says";
+    let headings = "what was wrong | stage | releases | #detected in | #after the correction | the receipt says";
     Table::new("Steps rejected by receipts", how, headings, rows.collect())
 }
 

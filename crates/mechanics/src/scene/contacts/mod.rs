@@ -320,9 +320,9 @@ impl Detector {
             touches(scene, states, &self.solids, owners, pair, margin, &mut self.touches);
             let first = self.found.len();
             let radii = pair.map(|k| self.solids[k].as_ref().map_or(0.0, |solid| solid.radius));
-            let of = |touch| point(scene, states, owners, radii, margin, touch);
-            let points = self.touches.iter().filter_map(of);
-            self.found.extend(points.filter(|found| found.gap <= margin));
+            for touch in &self.touches {
+                self.found.extend(point(scene, states, owners, radii, margin, touch));
+            }
             let is_far = self.found[first..].iter().all(|found| found.gap > reach::LEAST);
             if reach == Reach::Step && is_far && self.found.len() > first {
                 let motion = motion.get_or_insert_with(|| FreeMotion::of(scene, states));
@@ -368,8 +368,9 @@ fn touches(
     }
 }
 
-/// The contact of two features. Concentric balls, which have no normal, are pushed apart along the
-/// world's z axis. `None` if there is no direction at all.
+/// The contact of two features; `None` if its gap exceeds the margin (m). Concentric balls, which
+/// have no normal, are pushed apart along the world's z axis; also `None` if there is no direction
+/// at all.
 fn point(
     scene: &Scene,
     states: &[State],
@@ -403,8 +404,10 @@ fn point(
         }
         (Err(_), _) => return None,
     };
-    let [f0, f1] = touch.names();
-    let id = ContactId { bodies: pair, features: [owners[0].name(f0), owners[1].name(f1)] };
     let Nearest { gap, normal, point } = nearest;
-    Some(DetectedContact { id, contact, gap, margin, normal, point })
+    (gap <= margin).then(|| {
+        let [f0, f1] = touch.names();
+        let id = ContactId { bodies: pair, features: [owners[0].name(f0), owners[1].name(f1)] };
+        DetectedContact { id, contact, gap, margin, normal, point }
+    })
 }
