@@ -66,10 +66,12 @@ def programs(lcplab: Path, folder: Path) -> dict[str, float]:
         return statistics.median(measure() for _ in range(RUNS))
 
     small = median(lambda: step(2, 52))
-    large = median(lambda: step(1, 21, "--set", "generate.count=20000"))
+    many = ("--set", "generate.count=20000")
+    large = median(lambda: step(1, 21, *many))
     found = {
         "a step of the tower of 700": 1e3 * small,
         "growth of a step from 700 to 20,000 cubes": math.log(large / small) / math.log(20_000 / 700),
+        "memory of 20,000 cubes": run(*TOWER, *many, "--steps", "2")[1],
         "the standard report": median(lambda: run("report", "standard", "--out", "report")[0]),
     }
     tridiagonal(folder / "sparse.json")
