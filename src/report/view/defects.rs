@@ -66,12 +66,13 @@ fn by_stage(defects: &[Defect]) -> Vec<&Defect> {
 /// The first rejected release and its correction, as their receipts describe them.
 fn example(defects: &[Defect]) -> Option<(String, Table)> {
     let shown = by_stage(defects).into_iter().find(|defect| defect.outcome == "detected")?;
-    let row = |run: &Replay, says: &str, mark| {
+    let row = |run: &Replay, says: &str| {
+        let mark = if run.refused == 0 { Mark::Good } else { Mark::Bad };
         let says = format!("{} of {} steps rejected{says}", run.refused, run.frames);
         vec![Cell::text(run.versions.join(", ")), Cell::text(says).marked(mark)]
     };
     let error = format!(": {}: {}", shown.stage, said(shown));
-    let rows = vec![row(&shown.bad, &error, Mark::Bad), row(&shown.mended, "", Mark::Good)];
+    let rows = vec![row(&shown.bad, &error), row(&shown.mended, "")];
     let title = format!("One scene before and after the correction: {}", shown.what);
     Some(("receipt".into(), Table::new(title, "", "release | its receipts", rows)))
 }

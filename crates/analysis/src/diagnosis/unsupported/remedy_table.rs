@@ -16,10 +16,12 @@ const HELPFUL: f64 = 0.95;
 const COLUMNS: [&str; 5] =
     ["change", "error of this solve", "its multiplications", "error of the run", "distance (m)"];
 
-/// A change, the error of the examined solve with it and the cost of that solve, and its run.
+/// A change and what it did; `None` where it was not tried.
 struct Trial<'a> {
     what: &'a str,
+    /// The error of the examined solve, and the multiplications of that solve.
     solve: Option<(f64, f64)>,
+    /// A whole run.
     run: Option<&'a RemedyEffect>,
 }
 
@@ -32,19 +34,21 @@ pub(super) fn section(
     let mut section =
         Section::new(title.map_or("remedies".into(), |best| format!("remedies: {best}")));
     let now = unsupported.map(|found| (found.missing, found.work));
-    let run_now = effects.iter().find(|own| own.what == UNCHANGED).map(|own| own.missing);
+    let unchanged = effects.iter().find(|own| own.what == UNCHANGED);
     let (mut helpful, useless): (Vec<Trial>, Vec<Trial>) =
         trials(unsupported, effects).into_iter().partition(|trial| {
             let solve = trial.solve.zip(now).is_some_and(|(own, now)| own.0 < HELPFUL * now.0);
-            let run = trial.run.zip(run_now).is_some_and(|(own, now)| own.missing < HELPFUL * now);
+            let run = trial
+                .run
+                .zip(unchanged)
+                .is_some_and(|(own, now)| own.missing < HELPFUL * now.missing);
             solve || run
         });
-    if helpful.is_empty() && useless.is_empty() && run_now.is_none() {
+    if helpful.is_empty() && useless.is_empty() && unchanged.is_none() {
         return None;
     }
     let of_run = |trial: &Trial| trial.run.map_or(f64::INFINITY, |own| own.missing);
     helpful.sort_by(|a, b| of_run(a).total_cmp(&of_run(b)));
-    let unchanged = effects.iter().find(|own| own.what == UNCHANGED);
     let first = unchanged.map(|run| Trial { what: UNCHANGED, solve: now, run: Some(run) });
     let shown: Vec<Trial> = first.into_iter().chain(helpful).collect();
     section.say(

@@ -368,9 +368,8 @@ fn touches(
     }
 }
 
-/// The contact of two features; `None` if its gap exceeds the margin (m). Concentric balls, which
-/// have no normal, are pushed apart along the world's z axis; also `None` if there is no direction
-/// at all.
+/// The contact of two features; `None` if its gap exceeds the margin (m), or if it has no normal.
+/// Concentric balls are pushed apart along the world's z axis.
 fn point(
     scene: &Scene,
     states: &[State],
