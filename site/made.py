@@ -14,7 +14,7 @@ FONT = "lcplab-math.woff2"
 
 # Shipped reports, with what each answers.
 REPORTS = {
-    "standard": "Which solver for a stack with a heavy load, and are lcplab's results correct?",
+    "standard": "Which solver for contacts and joints, by size and load, and are lcplab's results correct?",
     "engines": "Which laws of mechanics do physics engines obey?",
     "receipts": "Do receipts find known defects of released physics engines?",
     "solvers": "Every solver on every problem family: which succeed, what they cost, and what theory predicts.",

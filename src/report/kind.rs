@@ -39,6 +39,7 @@ pub const KINDS: &[Kind] = &[
     Kind::of::<study::animation::Plan>(),
     Kind::of::<study::scenes::Plan>(),
     Kind::of::<study::solved::Plan>(),
+    Kind::of::<study::solver_times::Plan>(),
     Kind::of::<study::cards::Plan>(),
     Kind::of::<study::defects::Plan>(),
     Kind::of::<study::grid::Plan>(),

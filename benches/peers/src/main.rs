@@ -14,7 +14,6 @@ mod clarabel;
 mod contender;
 mod dart;
 mod library;
-mod machine;
 mod ode;
 mod ours;
 mod problems;
@@ -27,7 +26,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use lcplab_benches::recording::Recording;
-use lcplab_benches::table;
+use lcplab_benches::{machine, table};
 
 /// The options of the command line.
 struct Asked {

@@ -22,6 +22,7 @@ pub mod side_by_side;
 pub mod slider;
 pub mod sliding;
 pub mod solved;
+pub mod solver_times;
 pub mod sparsity;
 pub mod variation;
 pub mod verification;

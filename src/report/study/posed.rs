@@ -1,5 +1,6 @@
 //! The LCPs of solver studies, as settings: a step of a scene, a problem file, a problem of the
-//! library, or a stack with a heavy load on top.
+//! library, or a stack with a heavy load on top. Of a stack also the weight that an answer
+//! supports.
 
 use crate::simulation;
 use std::collections::BTreeMap;
@@ -13,8 +14,10 @@ use crate::formulation::Problem;
 use crate::lcp::{Lcp, library};
 use crate::scene::Scene;
 
+/// Gravity in the stacks (m/s²).
+const GRAVITY: f64 = 9.81;
 /// g dt (m/s): the speed that bodies gain in a step of 1/60 s.
-pub const STEP_SPEED: f64 = 9.81 / 60.0;
+pub const STEP_SPEED: f64 = GRAVITY / 60.0;
 
 /// The source of an LCP.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -119,7 +122,7 @@ fn is_default(friction: &f64) -> bool {
 
 impl Source {
     /// A unique name.
-    pub(crate) fn name(&self) -> String {
+    pub fn name(&self) -> String {
         match self {
             Source::Scene(at) => at.name(),
             Source::Family(OfFamily { family, values }) => {
@@ -143,16 +146,41 @@ impl Source {
     ///
     /// # Errors
     /// If the scene, step, file or family does not exist.
-    pub fn lcp(&self) -> Result<Lcp> {
-        match self {
-            Source::Scene(at) => Ok(at.given()?.lcp),
+    pub fn posed(&self) -> Result<Posed> {
+        let lcp = match self {
+            Source::Scene(at) => at.given()?.lcp,
             Source::Family(OfFamily { family, values }) => {
                 let values: Vec<(&str, f64)> =
                     values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-                Ok(library::by_name(family)?.generate(&values)?.lcp)
+                library::by_name(family)?.generate(&values)?.lcp
             }
-            Source::Stack(stack) => Ok(stack.problem()?.lcp),
-        }
+            Source::Stack(stack) => {
+                let problem = stack.problem()?;
+                return Ok(Posed { lcp: problem.lcp.clone(), stack: Some(problem) });
+            }
+        };
+        Ok(Posed { lcp, stack: None })
+    }
+}
+
+/// An LCP, and the problem of mechanics that it comes from if that is a stack at rest.
+pub struct Posed {
+    /// The LCP.
+    pub lcp: Lcp,
+    stack: Option<Problem>,
+}
+
+impl Posed {
+    /// The fraction of the weight that the contact forces x do not balance: the vertical momentum
+    /// after the step, divided by the weight times dt. `None` if the problem is not that of a stack
+    /// at rest.
+    pub fn unsupported(&self, x: &[f64]) -> Option<f64> {
+        let problem = self.stack.as_ref()?;
+        let Problem { assembly, dt, .. } = problem;
+        let u = problem.next_velocity(x, *dt);
+        let falls = assembly.blocks.iter().map(|own| own.mass * u[own.offset + 2].abs());
+        let weight: f64 = assembly.blocks.iter().map(|own| own.mass * GRAVITY * dt).sum();
+        Some(falls.sum::<f64>() / weight)
     }
 }
 

@@ -75,7 +75,7 @@ impl Study for Plan {
             Some(name) => (name.clone(), self.of_family(name)?),
             None => {
                 let source = Source::Scene(self.scenes[task - families.len()].clone());
-                (source.name(), vec![(source.lcp()?, false)])
+                (source.name(), vec![(source.posed()?.lcp, false)])
             }
         };
         let posed = |(lcp, impossible): (Lcp, bool)| {

@@ -20,6 +20,7 @@ mod profiles;
 mod scenes;
 mod sliding;
 mod solved;
+mod solver_times;
 mod sparsity;
 mod summary;
 mod verification;

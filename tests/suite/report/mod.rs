@@ -16,6 +16,7 @@ pub mod reference;
 mod scenes;
 mod sliding;
 mod solved;
+mod solver_times;
 mod solvers;
 mod standard;
 mod summary;

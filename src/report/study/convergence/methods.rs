@@ -4,8 +4,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::watch;
 pub use super::watch::Mark;
-use super::watch::{self, Posed};
 use crate::error::Result;
 use crate::report::methods;
 use crate::report::study::posed::Source;
@@ -18,9 +18,6 @@ use crate::solver::{Entry, Options, Registry, Settings, theory};
 pub struct Methods {
     /// The problems.
     pub problems: Vec<Source>,
-    /// Problems of which only the cost is shown, in a table *Which solver for me?*
-    #[serde(default)]
-    pub choices: Vec<Source>,
     /// The solvers; by default all.
     #[serde(default)]
     pub solvers: Vec<String>,
@@ -94,44 +91,17 @@ impl Methods {
     /// # Errors
     /// If the problem or the solver does not exist.
     pub(crate) fn run(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
-        self.each(problem, solvers, |entry, posed, options| {
-            let (mut method, solution) = watch::run(entry, posed, options);
-            let inside = theory::rows_inside(&posed.lcp, &solution.x);
-            method.rate = theory::rate(&entry.name, options, &posed.lcp, &inside);
-            method
-        })
-    }
-
-    /// The costs of the methods on a problem: the marks after ten sweeps and at the end.
-    ///
-    /// # Errors
-    /// If the problem or the solver does not exist.
-    pub(crate) fn choose(&self, problem: &Source, solvers: &Registry) -> Result<Progress> {
-        self.each(problem, solvers, |entry, posed, options| {
-            let (mut method, _) = watch::run(entry, posed, options);
-            let end = method.marks.last().map_or(0, |mark| mark.iteration);
-            method.marks.retain(|mark| mark.iteration == BUDGET || mark.iteration == end);
-            method
-        })
-    }
-
-    fn each(
-        &self,
-        problem: &Source,
-        solvers: &Registry,
-        measure: impl Fn(&Entry, &Posed, &Options) -> MethodProgress,
-    ) -> Result<Progress> {
-        let posed = match problem {
-            Source::Stack(stack) => {
-                let problem = stack.problem()?;
-                Posed { lcp: problem.lcp.clone(), stack: Some(problem) }
-            }
-            other => Posed { lcp: other.lcp()?, stack: None },
-        };
+        let posed = problem.posed()?;
         let settings = Settings::default()
             .with_tolerance(self.tolerance)
             .with_max_iterations(self.max_iterations);
         let options = Options::default().with_settings(settings).with_omega(self.omega);
+        let measure = |entry: &Entry| {
+            let (mut method, solution) = watch::run(entry, &posed, &options);
+            let inside = theory::rows_inside(&posed.lcp, &solution.x);
+            method.rate = theory::rate(&entry.name, &options, &posed.lcp, &inside);
+            method
+        };
         let runs = methods::entries(&self.solvers, solvers)?;
         Ok(Progress {
             problem: problem.name(),
@@ -139,7 +109,7 @@ impl Methods {
             stored: posed.lcp.matrix().stored(),
             omega: self.omega,
             tolerance: self.tolerance,
-            methods: runs.iter().map(|entry| measure(entry, &posed, &options)).collect(),
+            methods: runs.iter().map(|entry| measure(entry)).collect(),
         })
     }
 }

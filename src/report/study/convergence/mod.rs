@@ -41,8 +41,6 @@ pub enum Finding {
     Sweeps(Rates),
     /// The progress of several methods.
     Methods(Progress),
-    /// The costs of several methods.
-    Choice(Progress),
     /// The residuals of all rows.
     Rows(RowResiduals),
 }
@@ -51,7 +49,6 @@ pub enum Finding {
 enum Task<'a> {
     Sweeps(&'a SweepCase),
     Methods(&'a Methods, &'a Source),
-    Choice(&'a Methods, &'a Source),
     Rows(&'a Rows, Sweep),
 }
 
@@ -61,14 +58,11 @@ impl Plan {
         let methods = self.methods.iter().flat_map(|methods| {
             methods.problems.iter().map(move |problem| Task::Methods(methods, problem))
         });
-        let choices = self.methods.iter().flat_map(|methods| {
-            methods.choices.iter().map(move |problem| Task::Choice(methods, problem))
-        });
         let rows = self
             .rows
             .iter()
             .flat_map(|rows| rows.methods.iter().map(move |&sweep| Task::Rows(rows, sweep)));
-        sweeps.chain(methods).chain(choices).chain(rows).collect()
+        sweeps.chain(methods).chain(rows).collect()
     }
 }
 
@@ -80,7 +74,7 @@ impl Study for Plan {
     fn tasks(&self) -> Vec<String> {
         let name = |task: Task<'_>| match task {
             Task::Sweeps(swept) => swept.scene.clone(),
-            Task::Methods(_, problem) | Task::Choice(_, problem) => problem.name(),
+            Task::Methods(_, problem) => problem.name(),
             Task::Rows(_, sweep) => sweep.name().to_string(),
         };
         self.list().into_iter().map(name).collect()
@@ -90,7 +84,6 @@ impl Study for Plan {
         let finding = match self.list()[task] {
             Task::Sweeps(swept) => Finding::Sweeps(swept.run()?),
             Task::Methods(methods, problem) => Finding::Methods(methods.run(problem, solvers)?),
-            Task::Choice(methods, problem) => Finding::Choice(methods.choose(problem, solvers)?),
             Task::Rows(rows, sweep) => Finding::Rows(rows.run(sweep)?),
         };
         Ok((finding, ()))

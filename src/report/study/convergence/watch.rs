@@ -6,14 +6,11 @@ use std::ops::ControlFlow;
 use serde::{Deserialize, Serialize};
 
 use super::methods::MethodProgress;
-use crate::formulation::Problem;
 use crate::lcp::{Lcp, merit};
+use crate::report::study::posed::Posed;
 use crate::report::study::trial::Outcome;
 use crate::solver::{Entry, Group, Iterate, Observer, Options, Solution, Start};
 use crate::trace::Work;
-
-/// Gravity in the stacks (m/s²).
-const GRAVITY: f64 = 9.81;
 
 /// The state of a solver at an iteration.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -32,34 +29,6 @@ pub struct Mark {
     pub unsupported: Option<f64>,
     /// Whether the active set differs from that of the previous mark.
     pub changed: bool,
-}
-
-/// An LCP, and the problem of mechanics that it comes from if that is a stack at rest.
-pub(super) struct Posed {
-    pub lcp: Lcp,
-    pub stack: Option<Problem>,
-}
-
-impl Posed {
-    /// The fraction of the weight that the contact forces x do not balance: the vertical momentum
-    /// after the step, divided by the weight times dt.
-    fn unsupported(&self, x: &[f64]) -> Option<f64> {
-        let Problem { assembly, dt, .. } = self.stack.as_ref()?;
-        let u = self.stack.as_ref()?.next_velocity(x, *dt);
-        let falls = assembly.blocks.iter().map(|own| own.mass * u[own.offset + 2].abs());
-        let weight: f64 = assembly.blocks.iter().map(|own| own.mass * GRAVITY * dt).sum();
-        Some(falls.sum::<f64>() / weight)
-    }
-
-    /// The side of each row in the projection of x − w/s: below, between or above its bounds.
-    fn active_set(&self, x: &[f64]) -> Vec<Ordering> {
-        let lcp = &self.lcp;
-        let side = |i: usize| {
-            let point = x[i] - lcp.row_w(i, x) / merit::row_scale(lcp, i);
-            point.total_cmp(&lcp.project(i, point, x))
-        };
-        (0..lcp.len()).map(side).collect()
-    }
 }
 
 /// Solves the problem from 0; without the rate that theory predicts.
@@ -91,7 +60,7 @@ struct Watch<'a> {
 
 impl Watch<'_> {
     fn mark(&mut self, iteration: usize, x: &[f64]) -> Mark {
-        let active = self.posed.active_set(x);
+        let active = active_set(&self.posed.lcp, x);
         let changed = !self.active.is_empty() && active != self.active;
         self.active = active;
         Mark {
@@ -114,4 +83,13 @@ impl Observer for Watch<'_> {
         }
         ControlFlow::Continue(())
     }
+}
+
+/// The side of each row in the projection of x − w/s: below, between or above its bounds.
+fn active_set(lcp: &Lcp, x: &[f64]) -> Vec<Ordering> {
+    let side = |i: usize| {
+        let point = x[i] - lcp.row_w(i, x) / merit::row_scale(lcp, i);
+        point.total_cmp(&lcp.project(i, point, x))
+    };
+    (0..lcp.len()).map(side).collect()
 }

@@ -2,7 +2,7 @@
 
 use crate::number::{count, readable};
 use crate::plot::{Axis, Bar, Bars, Figure, Lines, Panel, Series};
-use crate::report::page::{Cell, Column, Mark, Table};
+use crate::report::page::{Cell, Table};
 use crate::report::study::convergence::methods::{self as measured, MethodProgress, Progress};
 use crate::report::study::trial;
 use crate::report::view::attempt::{
@@ -18,8 +18,6 @@ const LEAST: f64 = 1e-17;
 const FASTER: f64 = 1.5;
 /// Unsupported weight up to this is not drawn (%).
 const SUPPORTED: f64 = 1e-5;
-/// Unsupported weight below this is enough for an engine.
-const ENOUGH: f64 = 0.01;
 
 pub(super) fn show(problems: &[&Progress], document: &mut ReportPage) {
     document.text(
@@ -47,14 +45,12 @@ pub(super) fn outcome(problems: &[&Progress]) -> Outcome {
     Outcome { good: rejected == 0, says }
 }
 
-/// The cheapest solver, the cost of each, and the cheapest ones of other problems.
-pub(super) fn headline(progress: &Progress, choices: &[&Progress]) -> Headline {
+/// The cheapest solver, and the cost of each.
+pub(super) fn headline(progress: &Progress) -> Headline {
     let solved = by_cost(progress);
     let [first, _, ..] = solved[..] else { return Headline::default() };
-    let figure: Box<dyn Figure> = Box::new(costs(progress, &solved, default(choices)));
-    let table = (!choices.is_empty()).then(|| ("choices".to_string(), choice(choices)));
-    let answer = Some(answer(progress, first, choices));
-    Headline { answer, figure: Some(figure), table, ..Headline::default() }
+    let figure: Box<dyn Figure> = Box::new(costs(progress, &solved));
+    Headline { figure: Some(figure), ..Headline::of(Some(answer(progress, first))) }
 }
 
 /// The methods that solve the problem, the cheapest first.
@@ -65,42 +61,18 @@ fn by_cost(progress: &Progress) -> Vec<&MethodProgress> {
     methods
 }
 
-fn answer(progress: &Progress, first: &MethodProgress, choices: &[&Progress]) -> String {
-    let Some([use_it, why_not]) = decision(choices) else {
-        let stack = in_words(&progress.problem);
-        let iterations = first.marks.last().map_or(0, |end| end.iteration);
-        let part = budget(progress).map_or(String::new(), |ten| {
-            let part = readable((100.0 * work(first) / ten).round(), 3);
-            format!(", {part}\u{a0}% of the work of ten sweeps of *pgs*")
-        });
-        let iterations = iterations_in_words(&first.solver, iterations);
-        let named = named(&first.solver);
-        return format!(
-            "The problem is a stack of {stack}; {named} is cheapest: {iterations}{part}."
-        );
-    };
-    let left = left(progress).map_or(String::new(), |share| {
-        format!(
-            " On {} (Figure 1), ten sweeps of *pgs* (projected Gauss-Seidel), a typical budget in engines, leave {share} \
-             of the weight unsupported in the first step: a sweep passes load only from contact to contact{}.",
-            in_words(&progress.problem),
-            supported(progress, first).unwrap_or_default()
-        )
+fn answer(progress: &Progress, first: &MethodProgress) -> String {
+    let iterations = first.marks.last().map_or(0, |end| end.iteration);
+    let part = budget(progress).map_or(String::new(), |ten| {
+        let part = readable((100.0 * work(first) / ten).round(), 3);
+        format!(", {part}\u{a0}% of the work of ten sweeps of *pgs*")
     });
-    format!("{use_it}{left}{why_not}")
-}
-
-/// What PGS needs to support nearly the whole weight.
-fn supported(progress: &Progress, first: &MethodProgress) -> Option<String> {
-    let mut marks = pgs(progress)?.marks.iter();
-    let mark = marks.find(|mark| mark.unsupported.is_some_and(|share| share < ENOUGH))?;
-    Some(format!(
-        "; less than {}\u{a0}% takes about {} sweeps, {} times the work of *{}*",
-        readable(100.0 * ENOUGH, 1),
-        rough(mark.iteration as f64),
-        rough(mark.work / work(first)),
-        first.solver
-    ))
+    format!(
+        "The problem is a stack of {}; {} is cheapest: {}{part}.",
+        in_words(&progress.problem),
+        first.solver,
+        iterations_in_words(&first.solver, iterations)
+    )
 }
 
 /// A stack in words: `4 boxes, the top one 100 times as heavy`.
@@ -116,68 +88,6 @@ fn plain(problem: &str) -> &str {
     problem.split_once(", step ").map_or(problem, |(scene, _)| scene)
 }
 
-/// A solver at its first mention.
-fn named(solver: &str) -> String {
-    match solver {
-        "lemke" => "Lemke's pivoting method".into(),
-        "dantzig" => "Dantzig's pivoting method".into(),
-        other => other.into(),
-    }
-}
-
-/// The solver that solves every problem at the least multiple of the cheapest one's cost, and this
-/// multiple.
-fn default<'a>(choices: &[&'a Progress]) -> Option<(&'a str, f64)> {
-    let solved: Vec<_> = choices.iter().map(|progress| by_cost(progress)).collect();
-    let multiple = |solver: &str| {
-        let ratios = solved.iter().map(|methods| {
-            let own = methods.iter().find(|own| own.solver == solver)?;
-            Some(work(own) / work(methods[0]))
-        });
-        ratios.collect::<Option<Vec<f64>>>().map(|all| all.into_iter().fold(1.0, f64::max))
-    };
-    let all = solved.first()?.iter().map(|own| own.solver.as_str());
-    all.filter_map(|solver| Some((solver, multiple(solver)?))).min_by(|a, b| a.1.total_cmp(&b.1))
-}
-
-/// The default, and why it is not the cheapest solver of some of the problems.
-fn decision(choices: &[&Progress]) -> Option<[String; 2]> {
-    let (solver, most) = default(choices)?;
-    let kind = |progress: &Progress| match progress.problem.contains(", mass ratio ") {
-        true => "stacks".to_string(),
-        false => plain(&progress.problem).into(),
-    };
-    let cost = |progress: &Progress, solver: &str| -> Option<f64> {
-        let own = progress.methods.iter().find(|own| own.solver == solver)?;
-        own.outcome.is_solved().then_some(10.0 * work(own) / budget(progress)?)
-    };
-    let cheapest = |progress: &&Progress| Some(by_cost(progress).first()?.solver.clone());
-    let rival = choices.iter().filter_map(cheapest).find(|own| own != solver);
-    let why_not = rival.and_then(|rival| {
-        let is_best = |progress: &&&Progress| cheapest(progress).as_ref() == Some(&rival);
-        let mut kinds: Vec<String> = choices.iter().filter(is_best).map(|own| kind(own)).collect();
-        kinds.dedup();
-        let costs = choices.iter().filter_map(|own| {
-            Some((cost(own, &rival)?, cost(own, solver)?, kind(own)))
-        });
-        let (high, low, worst) = costs.max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))?;
-        Some(format!(
-            " *{rival}* is cheaper for the {}, but for the {worst} it costs as much as {} sweeps of *pgs*, *{solver}* {} \
-             (pivoting is counted with dense matrices).",
-            listed(&kinds),
-            rough(high),
-            rough(low)
-        ))
-    });
-    let use_it = format!(
-        "**Use *{solver}*: it solves all {} problems of Table 1, at no more than about {} times the cost of the \
-         cheapest solver.**",
-        choices.len(),
-        rough(most)
-    );
-    Some([use_it, why_not.unwrap_or_default()])
-}
-
 /// The share of the weight that ten sweeps of PGS leave unsupported.
 fn left(progress: &Progress) -> Option<String> {
     let share = pgs(progress)?.ten()?.unsupported?;
@@ -188,67 +98,18 @@ fn pgs(progress: &Progress) -> Option<&MethodProgress> {
     progress.methods.iter().find(|method| method.solver == Pgs::NAME)
 }
 
-/// The cost of PGS, of the cheapest method of each problem, and the weight that ten sweeps of PGS
-/// leave unsupported.
-fn choice(choices: &[&Progress]) -> Table {
-    let mut shown: Vec<&str> = Vec::new();
-    let cheapest =
-        choices.iter().filter_map(|progress| Some(by_cost(progress).first()?.solver.as_str()));
-    for solver in cheapest.chain([Pgs::NAME]) {
-        shown.extend((!shown.contains(&solver)).then_some(solver));
-    }
-    let row = |progress: &&Progress| {
-        let solved = by_cost(progress);
-        let cost = |solver: &&str| {
-            let method = solved.iter().find(|method| method.solver == *solver);
-            let cost = method.zip(budget(progress)).map(|(method, ten)| 10.0 * work(method) / ten);
-            let mark = if solved[0].solver == *solver { Mark::Good } else { Mark::Plain };
-            cost.map_or(Cell::text("–"), |cost| Cell {
-                value: Some(cost),
-                ..Cell::text(rough(cost))
-            })
-            .marked(mark)
-        };
-        let mut cells = vec![
-            Cell::text(plain(&progress.problem).replace(", mass ratio ", ", 1:")),
-            Cell::count(progress.rows),
-        ];
-        cells.extend(shown.iter().map(cost));
-        cells.push(left(progress).map_or(Cell::text("–"), Cell::text));
-        cells
-    };
-    let mut columns = vec![Column::words("problem"), Column::numbers("rows", "").wide()];
-    let advised = default(choices).map(|(solver, _)| solver);
-    columns.extend(shown.iter().map(|solver| Column {
-        wide: *solver != Pgs::NAME && Some(*solver) != advised,
-        ..Column::numbers(*solver, "")
-    }));
-    columns.push(Column::numbers("unsupported", ""));
-    Table {
-        title: "Which solver for which problem".into(),
-        how_to_read: "The cost of each solver in sweeps of *pgs*, of which engines typically take ten; pivoting methods are \
-                      counted with dense matrices. ✓: the cheapest of all; –: not within the tolerance after the maximum \
-                      number of iterations, or without a weight to support. *1:r*: the top box has r times the mass of each of the others. *unsupported*: the \
-                      weight after ten sweeps."
-            .into(),
-        columns,
-        rows: choices.iter().map(row).collect(),
-        ..Table::default()
-    }
-}
-
 /// The multiplications of the methods that solve the problem, the cheapest first.
-fn costs(progress: &Progress, solved: &[&MethodProgress], default: Option<(&str, f64)>) -> Bars {
+fn costs(progress: &Progress, solved: &[&MethodProgress]) -> Bars {
     let bar = |method: &&MethodProgress| Bar {
         name: method.solver.clone(),
-        accent: default.is_none_or(|(own, _)| own == method.solver),
+        accent: method.solver == solved[0].solver,
         value: work(method),
         amount: format!("{}×", rough(work(method) / work(solved[0]))),
         others: Vec::new(),
     };
     Bars {
         id: id(&progress.problem, "costs"),
-        title: title(progress, solved, default.map_or("", |(solver, _)| solver)),
+        title: title(progress, solved),
         caption: format!(
             "{} ({} rows): multiplications needed to reach a scaled residual of {}; SOR uses ω = {}. Right: relative to the \
              cheapest.{}",
@@ -390,20 +251,17 @@ fn finding(progress: &Progress) -> String {
     }
 }
 
-/// The finding: the cost of the default, the cheapest solver or both, and the most expensive one.
-fn title(progress: &Progress, solved: &[&MethodProgress], default: &str) -> String {
-    let Some(first) = solved.first() else { return format!("{}: costs", progress.problem) };
-    let times = |own: &MethodProgress| format!("{} times", rough(work(own) / work(first)));
-    let last = solved.last().filter(|own| own.solver != default && own.solver != first.solver);
-    let last = last.map_or(String::new(), |own| format!(", {} {}", own.solver, times(own)));
-    match solved[1..].iter().find(|own| own.solver == default) {
-        Some(own) => {
-            format!("{default} needs {} {}'s multiplications{last}", times(own), first.solver)
-        }
-        None => {
-            let least = readable(work(first), 3);
-            format!("{} needs {least} multiplications{last} as many", first.solver)
-        }
+/// The finding: the cheapest and the most expensive solver.
+fn title(progress: &Progress, solved: &[&MethodProgress]) -> String {
+    match solved {
+        [first, .., last] => format!(
+            "{} needs {} multiplications, {} {} times as many",
+            first.solver,
+            readable(work(first), 3),
+            last.solver,
+            rough(work(last) / work(first))
+        ),
+        _ => format!("{}: costs", progress.problem),
     }
 }
 

@@ -27,8 +27,8 @@ impl View for Plan {
     }
 
     fn headline(&self, findings: &[Finding]) -> Headline {
-        let FindingsByKind { methods, choices, .. } = FindingsByKind::of(findings);
-        methods.first().map_or_else(Headline::default, |own| methods::headline(own, &choices))
+        let methods = FindingsByKind::of(findings).methods;
+        methods.first().map_or_else(Headline::default, |own| methods::headline(own))
     }
 
     fn outcome(&self, findings: &[Finding]) -> Outcome {
@@ -50,7 +50,6 @@ impl View for Plan {
 struct FindingsByKind<'a> {
     sweeps: Vec<&'a Rates>,
     methods: Vec<&'a Progress>,
-    choices: Vec<&'a Progress>,
     rows: Vec<&'a RowResiduals>,
 }
 
@@ -61,7 +60,6 @@ impl<'a> FindingsByKind<'a> {
             match finding {
                 Finding::Sweeps(rates) => found.sweeps.push(rates),
                 Finding::Methods(progress) => found.methods.push(progress),
-                Finding::Choice(progress) => found.choices.push(progress),
                 Finding::Rows(residuals) => found.rows.push(residuals),
             }
         }

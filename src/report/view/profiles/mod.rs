@@ -11,6 +11,7 @@ use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::profiles::{
     Cost, FamilyAttempts, Plan, Profile, costs, of_all, profiles,
 };
+use crate::report::study::solver_times::Record;
 use crate::report::study::trial::{self, Attempt};
 use crate::solver::{Dantzig, Entry, Group, Registry};
 
@@ -90,9 +91,17 @@ impl Plan {
             count => format!("; no solver solves {count} problems"),
         };
         let (_, all) = of_contacts(advised[0]);
+        let as_good = solvers.iter().filter(|solver| of_contacts(solver).0 == most).count();
+        let record = Record::shipped().ok();
+        let fast = record.as_ref().and_then(Record::recommended).map(|own| own.solver);
+        let fast =
+            fast.filter(|solver| of_contacts(solver).0 == most).map_or(String::new(), |solver| {
+                format!(" Among these choose by time: *{solver}* (`lcplab report`).")
+            });
         Some(format!(
-            "**Use {}: {} {best} of the {} problems that have a solution, the most of {} solvers{with}, and {most} of \
-             the {all} with symmetric semidefinite A, as contacts and joints have** (tolerance {}{others}).",
+            "**Use {} for an LCP of any kind: {} {best} of the {} problems that have a solution, the most of {} \
+             solvers{with}.** Contacts and joints have a symmetric semidefinite A; of the {all} problems of this kind {as_good} solvers solve {most}.{fast} \
+             (Tolerance {}{others}.)",
             italic(&advised).join(" or "),
             if advised.len() == 1 { "it solves" } else { "each solves" },
             costs.len(),

@@ -3,8 +3,9 @@
 use std::fs::read_to_string;
 use std::process::Command;
 
-use lcplab_benches::recording::Machine;
+use crate::recording::Machine;
 
+/// This machine.
 pub fn describe() -> Machine {
     Machine {
         processor: field("/proc/cpuinfo", "model name").unwrap_or(std::env::consts::ARCH.into()),
