@@ -109,7 +109,7 @@ impl Methods {
             stored: posed.lcp.matrix().stored(),
             omega: self.omega,
             tolerance: self.tolerance,
-            methods: runs.iter().map(|entry| measure(entry)).collect(),
+            methods: runs.iter().map(measure).collect(),
         })
     }
 }
