@@ -37,7 +37,7 @@ pub use show::show;
 pub use table::{Entry, row, table};
 pub use twin::{ARRAYS, ENGINE};
 
-use crate::chapter::exhibit::{self, Measure, Outcome, Severity};
+use crate::chapter::exhibit::{self, Measure, Outcome};
 use crate::document::notation::vector;
 use crate::error::{Error, Result};
 use crate::number::readable;
@@ -130,7 +130,7 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
                 let printed: Result<Vec<_>> = problems.iter().map(Template::printed).collect();
                 Some(problem::markdown(&printed?))
             }
-            "wrong errata" => Some(wrong(program)?),
+            name if name.ends_with(" errata") => Some(errata(program, name)?),
             name => record.values.get(name).cloned().or_else(|| note(name)),
         };
         out += &value.ok_or_else(|| {
@@ -141,28 +141,32 @@ fn quoted(program: &Program, prose: &str, record: &Record) -> Result<String> {
     Ok(out)
 }
 
-/// The errata that lead to a wrong result, as a table: each with its section and what its example
-/// measures first.
-fn wrong(program: &Program) -> Result<String> {
+/// The errata of a severity as a table with links to their sections: of the `wrong errata` what the
+/// example of each measures first, of others where they are printed.
+fn errata(program: &Program, name: &str) -> Result<String> {
     let written = |outcome: &Outcome| match outcome {
         Outcome::Numbers(values) if values.len() > 1 => vector(values),
         Outcome::Numbers(values) => readable(values[0], 3),
         Outcome::Impossible(reason) => reason.clone(),
     };
-    let mut table = "| no. | what is wrong | in its example | as printed → corrected |\n\
-                     | --- | --- | --- | --- |\n"
-        .to_string();
-    for own in exhibit::all().iter().filter(|own| own.severity == Severity::Wrong) {
+    let is_measured = name == "wrong errata";
+    let (heads, rule) = match is_measured {
+        true => ("in its example | as printed → corrected", "--- | ---"),
+        false => ("where", "---"),
+    };
+    let mut table = format!("| no. | what is wrong | {heads} |\n| --- | --- | {rule} |\n");
+    for own in exhibit::all().iter().filter(|own| name.starts_with(own.severity.word())) {
         let before = program.text.split(&format!("{{{{{}}}}}", own.id)).next().unwrap_or_default();
         let section = before.matches("\n## ").count();
-        let shown = own.found()?.and_then(|finding| {
+        let finding = if is_measured { own.found()? } else { None };
+        let shown = finding.and_then(|finding| {
             let Measure { quantity, unit, printed, corrected, .. } = finding.measures.first()?;
             let [printed, corrected] = [printed, corrected].map(written);
             let quantity = format!("{quantity} ({unit})").replace(" ()", "");
             Some(format!("{quantity} | {printed} → {corrected}"))
         });
-        let [title, shown] =
-            [literal(&own.title), shown.unwrap_or_else(|| "in words only |".into())];
+        let [title, place] = [&own.title, &own.place].map(|text| literal(text));
+        let shown = shown.unwrap_or(if is_measured { "in words only |".into() } else { place });
         table += &format!("| [{}](#part-{section}) | {title} | {shown} |\n", own.id);
     }
     Ok(table)

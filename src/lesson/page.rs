@@ -49,6 +49,12 @@ impl Program {
                 section.fold = Fold::After(0);
             }
         }
+        // Below the lists of errata, sections show those that lead to a wrong result first.
+        let lists = self.text.matches(" errata}}").count();
+        for section in page.sections.iter_mut().skip(lists).filter(|_| lists > 0) {
+            section.blocks.sort_by_key(|block| !is_wrong(block));
+            section.fold = Fold::After(section.blocks.iter().filter(|own| is_wrong(own)).count());
+        }
         Ok(page)
     }
 
@@ -94,9 +100,9 @@ impl Program {
     /// Adds paragraphs, and in a lesson the live pages to which they link; elsewhere the links
     /// suffice.
     fn add_paragraphs(&self, page: &mut Page, text: &str) {
-        if let Some((before, equation, after)) = numbered(text) {
+        if let Some((before, block, after)) = numbered(text).or_else(|| note(text)) {
             self.add_paragraphs(page, before);
-            add(page, equation);
+            add(page, block);
             return self.add_paragraphs(page, after);
         }
         if text.trim().is_empty() {
@@ -119,6 +125,18 @@ fn numbered(text: &str) -> Option<(&str, Block, &str)> {
         let equation = Block::Equation { latex: latex.trim().into(), label };
         Some((&text[..at], equation, after))
     })
+}
+
+/// The first note of an erratum, which is a line, and the text before and after it.
+fn note(text: &str) -> Option<(&str, Block, &str)> {
+    let (before, rest) = text.split_at(text.find("> **E")?);
+    let (note, after) = rest.split_once('\n').unwrap_or((rest, ""));
+    Some((before, Block::Text(note.into()), after))
+}
+
+/// Whether a block is the note of an erratum that leads to a wrong result.
+fn is_wrong(block: &Block) -> bool {
+    matches!(block, Block::Text(text) if text.starts_with("> **E") && text.contains(", wrong. *"))
 }
 
 /// The text and the file of a line that is a drawing: `![words](drawings/name.svg)`.
@@ -169,12 +187,10 @@ fn add_cell(
     rest.into_iter().for_each(|block| add(page, block));
 }
 
-/// Adds a block to the last section; a block before the first section starts one.
+/// Adds a block to the last section, or before the first one.
 fn add(page: &mut Page, block: Block) {
-    if page.sections.is_empty() {
-        let (id, title) = ("part-1".into(), "Beginning".into());
-        page.sections.push(Section { id, title, ..Section::default() });
+    match page.sections.last_mut() {
+        Some(section) => section.blocks.push(block),
+        None => page.opening.push(block),
     }
-    let last = page.sections.len() - 1;
-    page.sections[last].blocks.push(block);
 }

@@ -34,7 +34,8 @@ fn a_report_is_printed_to_a_file() {
     let output = command.output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(String::from_utf8_lossy(&output.stdout).ends_with("report.pdf\n"));
-    assert!(pages(&fs::read(folder.path().join("report.pdf")).unwrap()) > 20);
+    let count = pages(&fs::read(folder.path().join("report.pdf")).unwrap());
+    assert!((3..=5).contains(&count), "{count} sheets: folded parts are not printed");
     assert!(folder.path().join("reports/chapter/index.html").is_file());
 }
 

@@ -68,7 +68,7 @@ pub struct Section {
     pub origin: Option<Origin>,
 }
 
-/// The part of a section that is collapsed on the screen, and not printed.
+/// The part of a section that is collapsed on the screen, and printed only if the reader opens it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fold {
     /// Nothing.
