@@ -17,7 +17,7 @@ fn a_page_shows_animation_pattern_and_sweeps_and_the_problems_lie_beside_it() {
         "Cause: mass ratio",
         "of the slowest error pattern",
         "of the error is left with pgs",
-        "distance (m)",
+        "More than half of the error remains with: 400 sweeps; 40 sweeps;",
     ] {
         assert!(page.contains(part), "{part}");
     }

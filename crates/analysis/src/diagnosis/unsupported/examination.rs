@@ -345,8 +345,13 @@ impl Examination {
             let lost = "Sinking, feedback, compliance and friction were not examined.";
             ["No reference".into(), format!("{}. {lost}", capitalized(reason))]
         }));
-        let warnings = self.distinct_warnings().into_iter();
-        lines.extend(warnings.map(|warning| ["Warning".into(), capitalized(warning)]));
+        // A measured remedy is better advice than the general one after the first sentence.
+        let is_measured = self.unsupported.as_ref().is_some_and(UnsupportedLoad::is_short);
+        for warning in self.distinct_warnings() {
+            let fact = warning.split_once(". ").filter(|_| is_measured);
+            let words = fact.map_or(capitalized(warning), |(fact, _)| capitalized(fact) + ".");
+            lines.push(["Warning".into(), words]);
+        }
         let lost = self.lost_bounces.iter();
         lines.extend(lost.map(|lost| ["Note".into(), format!("{}.", capitalized(lost))]));
         if !self.ruled_out.is_empty() {

@@ -10,11 +10,10 @@ use super::show::percent;
 /// Significant digits of measured values.
 const DIGITS: usize = 2;
 
-/// A remedy that leaves a larger part of the error is of no help.
-const HELPFUL: f64 = 0.95;
+/// A remedy that leaves a larger part of the error is of little help.
+const HELPFUL: f64 = 0.5;
 
-const COLUMNS: [&str; 5] =
-    ["change", "error of this solve", "its multiplications", "error of the run", "distance (m)"];
+const COLUMNS: [&str; 4] = ["change", "error of this solve", "error of the run", "cost"];
 
 /// A change and what it did; `None` where it was not tried.
 struct Trial<'a> {
@@ -35,6 +34,7 @@ pub(super) fn section(
         Section::new(title.map_or("remedies".into(), |best| format!("remedies: {best}")));
     let now = unsupported.map(|found| (found.missing, found.work));
     let unchanged = effects.iter().find(|own| own.what == UNCHANGED);
+    let best = unsupported.and_then(UnsupportedLoad::best_remedy);
     let (mut helpful, useless): (Vec<Trial>, Vec<Trial>) =
         trials(unsupported, effects).into_iter().partition(|trial| {
             let solve = trial.solve.zip(now).is_some_and(|(own, now)| own.0 < HELPFUL * now.0);
@@ -42,7 +42,7 @@ pub(super) fn section(
                 .run
                 .zip(unchanged)
                 .is_some_and(|(own, now)| own.missing < HELPFUL * now.missing);
-            solve || run
+            solve || run || best.is_some_and(|best| best.what == trial.what)
         });
     if helpful.is_empty() && useless.is_empty() && unchanged.is_none() {
         return None;
@@ -53,18 +53,17 @@ pub(super) fn section(
     let shown: Vec<Trial> = first.into_iter().chain(helpful).collect();
     section.say(
         "Each change was tried alone; the best one is bold. An error of 0 % is the exact motion, one of 100 % is as large as \
-         the effect of all constraints together; that of a run is the mean of its second half. The distance is that of the \
-         body farthest from its exact position at the end of the run, a single instant: it can be larger although the \
-         mean error is smaller. –: not measured.",
+         the effect of all constraints together; that of a run is the mean of its second half. The cost of \
+         this solve is relative to the unchanged one. –: not measured.",
     );
-    section.table("the error with each change", &COLUMNS, shown.iter().map(row).collect());
-    let best = unsupported.and_then(UnsupportedLoad::best_remedy);
+    let rows = shown.iter().map(|trial| row(trial, now)).collect();
+    section.table("the error with each change", &COLUMNS, rows);
     if let Some(Block::Table(table)) = section.blocks.last_mut() {
         table.chosen = best.and_then(|best| shown.iter().position(|own| own.what == best.what));
     }
     if !useless.is_empty() {
         let names: Vec<&str> = useless.iter().map(|own| own.what).collect();
-        section.say(format!("No help: {}.", names.join("; ")));
+        section.say(format!("More than half of the error remains with: {}.", names.join("; ")));
     }
     Some(section)
 }
@@ -90,14 +89,14 @@ fn trials<'a>(
         .collect()
 }
 
-fn row(trial: &Trial) -> Vec<String> {
+fn row(trial: &Trial, now: Option<(f64, f64)>) -> Vec<String> {
     let short = |part: f64| percent(part).replace("less than", "<");
-    let unknown = || "–".to_string();
-    let cost = |work: f64| if work.is_nan() { unknown() } else { readable(work, DIGITS) };
-    let (error, work) =
-        trial.solve.map_or((unknown(), unknown()), |(missing, work)| (short(missing), cost(work)));
-    let (run, off) = trial
-        .run
-        .map_or((unknown(), unknown()), |own| (short(own.missing), readable(own.off, DIGITS)));
-    vec![trial.what.to_string(), error, work, run, off]
+    let ratio = trial.solve.zip(now).map(|(own, now)| own.1 / now.1);
+    let cells = [
+        trial.solve.map(|(missing, _)| short(missing)),
+        trial.run.map(|own| short(own.missing)),
+        ratio.filter(|own| own.is_finite()).map(|own| format!("{}×", readable(own, DIGITS))),
+    ];
+    let cells = cells.into_iter().map(|cell| cell.unwrap_or("–".into()));
+    [trial.what.to_string()].into_iter().chain(cells).collect()
 }
