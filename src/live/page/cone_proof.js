@@ -66,8 +66,7 @@ function drawPlane() {
   picture += svg("line", { x1: 210, y1: 210, x2: wx, y2: wy, class: "push slip" }) + svg("circle", { cx: wx, cy: wy, r: 11, class: "handle", id: "push" }, "<title>holding impulse</title>");
   picture += drawBoxes(found.boxes.slice(0, 2), to, SCALE) + svg("circle", { cx, cy, r: 4, class: "dot" });
   picture += svg("circle", { cx, cy, r: 7, fill: "none", "pointer-events": "all", style: "cursor: grab", id: "start" }, "<title>x</title>");
-  const focus = document.activeElement?.id;
-  find("#plane").innerHTML = picture;
+  paint(find("#plane"), picture);
   draggable(find("#push"), find("#plane"), (px, py) => {
     const [x, y] = from(px, py);
     change({ angle: direction(x, y), size: clamp(Math.round(20 * Math.hypot(x, y)) / 20, 0, 2) });
@@ -76,7 +75,6 @@ function drawPlane() {
     const [x, y] = from(px, py).map((v, i) => v - found.solution[i + 1]);
     change({ toward: direction(x, y), distance: tenth(Math.log10(Math.hypot(x, y) || 1e-9), -9, 0) });
   }, (dx, dy) => change({ toward: (state.toward + 5 * dx + 360) % 360, distance: tenth(state.distance - dy / 10, -9, 0) }));
-  if (["push", "start"].includes(focus)) find(`#${focus}`).focus();
 }
 
 function drawClose() {

@@ -36,13 +36,11 @@ function drawFigures() {
     picture += svg("line", { x1: wx, y1: wy, x2: px, y2: py, class: `reach ${CLASSES[i]}` }) + svg("circle", { cx: px, cy: py, r: 5, class: `answer ${CLASSES[i]}` });
   });
   picture += svg("circle", { cx: wx, cy: wy, r: 9, class: "handle", id: "wanted" });
-  const focus = document.activeElement?.id;
-  find("#figures").innerHTML = picture;
+  paint(find("#figures"), picture);
   draggable(find("#wanted"), find("#figures"), (px, py) => {
     const [x, y] = fromPlane(px, py), angle = Math.atan2(y, x) * 180 / Math.PI;
     change({ angle: Math.round((angle + 360) % 360), size: Math.round(20 * Math.min(4, Math.hypot(x, y))) / 20 });
   }, (dx, dy) => change({ angle: (state.angle + 5 * dx + 360) % 360, size: Math.max(0, Math.min(4, Math.round(20 * (state.size - 0.1 * dy)) / 20)) }));
-  if (focus === "wanted") find("#wanted").focus();
 }
 
 function drawFloor() {

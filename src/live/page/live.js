@@ -111,6 +111,13 @@ const short = (value, digits = 4) => {
 };
 const number = (value) => (value === "inf" ? Infinity : value === "-inf" ? -Infinity : value);
 
+// Draws a picture anew; a handle in it keeps the focus.
+function paint(picture, content) {
+  const focus = document.activeElement?.id;
+  picture.innerHTML = content;
+  if (focus) queueMicrotask(() => picture.querySelector(`#${focus}`)?.focus()); // once it can be dragged again
+}
+
 // A handle that is dragged by pointer and by arrow keys; moved(dx, dy) is given in the picture's own units.
 function draggable(handle, picture, moved, step) {
   handle.setAttribute("tabindex", "0");

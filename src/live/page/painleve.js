@@ -40,15 +40,14 @@ function drawMap() {
   picture += svg("text", { x: right - 6, y: bottom - 8, "text-anchor": "end" }, "friction μ") + svg("text", { x: left + 6, y: top + 16 }, "angle θ");
   const [cx, cy] = toMap(state.mu, state.theta);
   picture += svg("circle", { cx, cy, r: 9, class: "handle", id: "here" }) + svg("text", { x: clamp(cx, 100, 350), y: cy - 16, "text-anchor": "middle" }, `μ = ${short(state.mu)}, θ = ${short(state.theta)}°`);
-  const focus = document.activeElement?.id;
-  find("#map").innerHTML = picture;
+  paint(find("#map"), picture);
   const to = (mu, theta) => change({ mu: Math.round(20 * clamp(mu, 0, MOST_MU)) / 20, theta: Math.round(clamp(theta, 5, 85)), step: USUAL.step });
   draggable(find("#here"), find("#map"), (px, py) => to(...fromMap(px, py)), (dx, dy) => to(state.mu + 0.05 * dx, state.theta - dy));
-  if (focus === "here") find("#here").focus();
 }
 
 function drawRod() {
-  const { at: [x, z, angle], x: push, slip } = frames[state.step], scale = 90, ground = 250, middle = 210 - scale * frames[0].at[0] + 110;
+  const { at: [x, z, angle], x: push, slip } = frames[state.step], scale = 90, ground = 250;
+  const middle = clamp(265 + scale * (x - frames[0].at[0]), 100, 265) - scale * x; // the rod stays in the picture
   const to = (px, pz) => [middle + scale * px, ground - scale * pz];
   const along = [Math.cos(angle), Math.sin(angle)], low = to(x - along[0], z - along[1]), high = to(x + along[0], z + along[1]);
   let picture = svg("line", { x1: 0, x2: 420, y1: ground, y2: ground, class: "axis" });
@@ -59,8 +58,8 @@ function drawRod() {
   const arrow = ([px, py], dx, dy, name, word) => {
     const size = Math.hypot(dx, dy);
     if (size < 2) return "";
-    const ex = px + dx, ey = py + dy, u = [dx / size, dy / size];
-    const label = svg("text", { ...(dx ? { x: px + 4 * u[0], y: py + 18 } : { x: px - 8, y: (py + ey) / 2 }), "text-anchor": dx > 0 ? "start" : "end", class: "faint" }, word);
+    const ex = px + dx, ey = py + dy, u = [dx / size, dy / size], out = dx || px - cx; // its label is not under the rod
+    const label = svg("text", { ...(dx ? { x: px + 4 * u[0], y: py + 18 } : { x: px + 8 * Math.sign(out), y: (py + ey) / 2 }), "text-anchor": out > 0 ? "start" : "end", class: "faint" }, word);
     return label + svg("line", { x1: px, y1: py, x2: ex, y2: ey, class: name }) + svg("path", { d: `M${ex} ${ey}l${-9 * u[0] - 4 * u[1]} ${-9 * u[1] + 4 * u[0]}M${ex} ${ey}l${-9 * u[0] + 4 * u[1]} ${-9 * u[1] - 4 * u[0]}`, class: name });
   };
   const unit = Math.min(45 / Number(state.dt), 120 / Math.max(...push.map(Math.abs)));

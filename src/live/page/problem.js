@@ -1,5 +1,5 @@
 const EXAMPLES = {
-  "Figure 7, velocity level": { name: "Figure 7", A: { dense: [[1, -1, 0], [-1, 2, -1], [0, -1, 2]] }, b: [-1, -1, 1] },
+  "three boxes, the middle one moving down": { name: "Figure 7", A: { dense: [[1, -1, 0], [-1, 2, -1], [0, -1, 2]] }, b: [-1, -1, 1] },
   "a chain of ten": { name: "a chain of ten", A: { dense: Array.from({ length: 10 }, (_, i) => Array.from({ length: 10 }, (_, j) => (i === j ? 2 : Math.abs(i - j) === 1 ? -1 : 0))) }, b: Array(10).fill(-1) },
   "a contact with friction, pushed": { name: "a contact with friction", A: { dense: [[2, 0, 0.5], [0, 1, 0], [0.5, 0, 1]] }, b: [-2, -1.5, -0.5], friction_index: [-1, 0, 0], mu: [0, 0.5, 0.5] },
   "two solutions": { name: "two solutions", A: { dense: [[2, -3], [-3, 2]] }, b: [1, 1.5] },

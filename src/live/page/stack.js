@@ -55,13 +55,11 @@ function drawStack() {
     picture += svg("text", { x: 262 + Math.max(long(x[i]), long(exact[i])), y: y + 11 }, short(exact[i], 3));
   });
   if (sunk.at(-1) < -n * SIZE) picture += svg("text", { x: MIDDLE, y: ground - 16, "text-anchor": "middle", class: "faint" }, "↓ below the floor");
-  const focus = document.activeElement?.id;
-  find("#stack").innerHTML = picture;
+  paint(find("#stack"), picture);
   state.masses.forEach((mass, i) => {
     const set = (value) => { stop(); change({ masses: state.masses.map((own, k) => (k === i ? tidy(value) : own)), at: 0 }); };
     draggable(find(`#mass${i}`), find("#stack"), (px) => set(massOf(2 * (px - MIDDLE))), (dx, dy) => set(mass * 10 ** (0.1 * (dx - dy))));
   });
-  if (focus?.startsWith("mass")) find(`#${focus}`)?.focus();
 }
 
 function drawPlot() {
@@ -85,17 +83,15 @@ function drawPlot() {
   find("#plot").innerHTML = picture;
 }
 
-const whole = (v) => (Math.abs(v) < 1e-6 ? 0 : v); // what rounding leaves is nothing
 function drawSays() {
   const says = [];
   if (animation) {
-    const { z, missing } = animation.frames[animation.at], mean = animation.frames.reduce((sum, frame) => sum + frame.missing, 0) / animation.frames.length;
-    const way = isSweep() ? `${state.sweeps} sweeps per step${state.warm ? ", warm start" : ""}` : "pivoting";
-    says.push(`${((animation.at + 1) * DT).toFixed(2)} s, ${way}: the top box has sunk ${short(whole(-100 * z.at(-1)), 2)} cm; ${short(Math.round(1000 * (animation.at === animation.frames.length - 1 ? mean : missing)) / 10 + 0, 2)}\u00a0% of the weight is unsupported${animation.at === animation.frames.length - 1 ? " on average" : ""}.`);
+    const { z, missing } = animation.frames[animation.at], sunk = Math.abs(z.at(-1)) < 1e-8 ? 0 : -100 * z.at(-1), way = isSweep() ? `${state.sweeps} sweeps per step${state.warm ? ", warm start" : ""}` : "pivoting";
+    says.push(`${((animation.at + 1) * DT).toFixed(2)} s, ${way}: the top box has sunk ${short(sunk, 2)} cm. In this step the ground supports ${short(100 * (1 - missing), 3)}\u00a0% of the weight.`);
   } else {
     const { step, x } = moves[state.at], carried = x[0] / exact[0];
     says.push(`After ${step} ${isSweep() ? (step === 1 ? "sweep" : "sweeps") : (step === 1 ? "pivot" : "pivots")} the ground supports ${short(100 * carried, 3)}\u00a0% of the weight.`);
-    if (typeof trace.rate === "number") says.push(`In the long run each sweep multiplies the error by ${short(trace.rate, 5)}: ${short(Math.ceil(Math.log(10) / -Math.log(trace.rate)))} sweeps per digit.`);
+    if (typeof trace.rate === "number") says.push(`In the long run each sweep multiplies the error by ${short(trace.rate, 5)}: about ${short(Math.ceil(Math.log(10) / -Math.log(trace.rate)), 2)} sweeps per digit.`);
     if (!isSweep()) says.push(`${trace.status}; verdict: ${trace.verdict}.`);
   }
   find("#says").textContent = says.join(" ");
@@ -108,12 +104,12 @@ function drawControls() {
   for (const id of ["backward", "warm"]) find(`#${id}`).checked = state[id];
   find("#omega").disabled = state.solver !== "sor";
   find("#sweeps").disabled = find("#backward").disabled = find("#warm").disabled = !isSweep();
-  find("#fewer").disabled = state.masses.length <= 1;
-  find("#more").disabled = state.masses.length >= MOST;
+  [find("#fewer").disabled, find("#more").disabled] = [state.masses.length <= 1, state.masses.length >= MOST];
   find("#first").disabled = state.at === 0 && !animation;
   find("#row").disabled = find("#sweep").disabled = find("#all").disabled = state.at >= moves.length - 1 && !animation;
   find("#row").textContent = isSweep() && state.solver !== "jacobi" ? "Next row" : isSweep() ? "Next sweep" : "Next pivot";
   find("#sweep").hidden = !isSweep() || state.solver === "jacobi";
+  find("#all").textContent = isSweep() ? "All 60 sweeps" : "Solve";
   find("#motion").textContent = timer ? "Stop" : "Simulate 2 s";
 }
 

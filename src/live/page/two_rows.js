@@ -80,13 +80,8 @@ function drawPlane() {
   });
   for (const { x } of trace.all ?? []) { const [cx, cy] = toPlane(x); picture += svg("circle", { cx, cy, r: 8, class: "solution" }); }
   if (SWEEPS.includes(state.solver)) { const [cx, cy] = toPlane([state.x0, state.x1]); picture += svg("circle", { cx, cy, r: 9, class: "handle", id: "start" }); }
-  const focus = document.activeElement?.id;
-  find("#plane").innerHTML = picture;
-  const handle = find("#start");
-  if (handle) {
-    draggable(handle, find("#plane"), (px, py) => change({ x0: round(fromPlane(px, py)[0]), x1: round(fromPlane(px, py)[1]), step: state.step }), (dx, dy) => change({ x0: round(state.x0 + 0.1 * dx), x1: round(state.x1 - 0.1 * dy) }));
-    if (focus === "start") handle.focus();
-  }
+  paint(find("#plane"), picture);
+  if (find("#start")) draggable(find("#start"), find("#plane"), (px, py) => change({ x0: round(fromPlane(px, py)[0]), x1: round(fromPlane(px, py)[1]), step: state.step }), (dx, dy) => change({ x0: round(state.x0 + 0.1 * dx), x1: round(state.x1 - 0.1 * dy) }));
 }
 const round = (v) => Math.round(10 * Math.max(-4, Math.min(4, v))) / 10;
 
@@ -118,11 +113,8 @@ function drawCones() {
   picture += arrow(A[0], "w0", "A₀") + arrow(A[1], "w1", "A₁");
   const [cx, cy] = toCones(point);
   picture += svg("circle", { cx, cy, r: 9, class: "handle", id: "minus-b" }) + svg("text", { x: cx + 12, y: cy - 8 }, "−b");
-  const focus = document.activeElement?.id;
-  find("#cones").innerHTML = picture;
-  const handle = find("#minus-b");
-  draggable(handle, find("#cones"), (px, py) => change({ b0: round((210 - px) / 42), b1: round((py - 210) / 42) }), (dx, dy) => change({ b0: round(state.b0 - 0.1 * dx), b1: round(state.b1 + 0.1 * dy) }));
-  if (focus === "minus-b") handle.focus();
+  paint(find("#cones"), picture);
+  draggable(find("#minus-b"), find("#cones"), (px, py) => change({ b0: round((210 - px) / 42), b1: round((py - 210) / 42) }), (dx, dy) => change({ b0: round(state.b0 - 0.1 * dx), b1: round(state.b1 + 0.1 * dy) }));
 }
 
 function drawWords() {
