@@ -82,6 +82,7 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
         ),
         opening: picture.map(Block::Figure).into_iter().chain([claim]).collect(),
         sections,
+        facts: vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())],
         ..Page::default()
     }
 }
@@ -151,11 +152,7 @@ fn numbers(problem: &Problem, claim: &Claim) -> (Option<Picture>, Vec<Block>) {
              excludes each of the {} cases.",
             tree.leaves()
         ))]),
-        Claim::ConeSolution { .. }
-        | Claim::BodySolution { .. }
-        | Claim::Motion(_)
-        | Claim::FrozenMotion(_)
-        | Claim::Within { .. } => (None, Vec::new()),
+        _ => (None, Vec::new()),
     }
 }
 

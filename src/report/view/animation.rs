@@ -70,8 +70,12 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
     };
     let [found, run, advice] =
         [record.finding(), record.run(), record.advice()].map(|words| markup::literal(&words));
-    let lead = format!("**{found}.** {judged}{run}{advice}");
-    let page = Page { title: scene.title.clone(), lead, ..Page::default() };
+    let lead = format!(
+        "**{found}.** {judged}{run}{advice} Not measured: the distance from the exact motion; a run with half \
+         the step.dt estimates it."
+    );
+    let facts = vec![("lcplab".into(), env!("CARGO_PKG_VERSION").into())];
+    let page = Page { title: scene.title.clone(), lead, facts, ..Page::default() };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
     let mut animation = animation.drawn();
     animation.title = String::new(); // the lead states it
