@@ -18,6 +18,9 @@ const ATTRIBUTES: &str = "accent accentunder class display displaystyle form hei
     linethickness lspace mathvariant maxsize minsize movablelimits notation rspace scriptlevel \
     stretchy style symmetric width";
 
+/// A prime as an exponent, in full size and lowered; the font has it raised.
+const PRIME: &str = "<mpadded voffset='-0.55em' scriptlevel='0'><mo>′</mo></mpadded></msup>";
+
 /// Limit on the length of a formula (bytes).
 const LONGEST: usize = 20_000;
 /// A formula of this length (bytes) fits into the stack of any thread.
@@ -53,7 +56,7 @@ pub(super) fn converted(
     }
     match incomplete(&mathml) {
         Some(name) => Err(format!("the equation {latex:?} has an {name} without all its parts")),
-        None => Ok(mathml),
+        None => Ok(mathml.replace("<mo>′</mo></msup>", PRIME)),
     }
 }
 
