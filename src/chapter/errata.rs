@@ -32,12 +32,8 @@ pub fn document(tried: &[ErratumResult]) -> Document {
     };
     let mut section = Section::new("errata");
     let columns = ["no.", "severity", "its example", "place", "about"];
-    section.blocks.push(Block::Table(Table {
-        title: "Errata and what their examples show".into(),
-        columns: columns.map(str::to_string).to_vec(),
-        rows: tried.iter().map(line).collect(),
-        ..Table::default()
-    }));
+    let (title, rows) = ("Errata and what their examples show", tried.iter().map(line).collect());
+    section.blocks.push(Block::Table(Table::whole(title, &columns, rows)));
     let mut document = Document {
         title: "Errata of the chapter".into(),
         lead: format!("{} entries, all examples run just now.", tried.len()),

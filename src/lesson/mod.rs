@@ -150,11 +150,9 @@ fn errata(program: &Program, name: &str) -> Result<String> {
         Outcome::Impossible(reason) => reason.clone(),
     };
     let is_measured = name == "wrong errata";
-    let (heads, rule) = match is_measured {
-        true => ("in its example | as printed → corrected", "--- | ---"),
-        false => ("where", "---"),
-    };
-    let mut table = format!("| no. | what is wrong | {heads} |\n| --- | --- | {rule} |\n");
+    let heads = if is_measured { "in its example | as printed → corrected" } else { "where" };
+    let rule = "--- | ".repeat(heads.split('|').count() + 2);
+    let mut table = format!("| no. | what is wrong | {heads} |\n| {rule}\n");
     for own in exhibit::all().iter().filter(|own| name.starts_with(own.severity.word())) {
         let before = program.text.split(&format!("{{{{{}}}}}", own.id)).next().unwrap_or_default();
         let section = before.matches("\n## ").count();

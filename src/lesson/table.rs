@@ -18,12 +18,7 @@ pub fn table<const N: usize>(
     rows: impl IntoIterator<Item = [Entry; N]>,
 ) -> Table {
     let rows = rows.into_iter().map(|row| row.into_iter().map(|entry| entry.0).collect());
-    Table {
-        title: title.into(),
-        columns: columns.map(String::from).to_vec(),
-        rows: rows.collect(),
-        ..Table::default()
-    }
+    Table::whole(title, &columns, rows.collect())
 }
 
 /// A row of a [`table`]: numbers, counts and words, each as written.

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::Outcome;
 use crate::body::State;
@@ -43,11 +43,8 @@ pub(super) fn enumerated(lcp: &Lcp) -> Vec<Vec<f64>> {
 
 /// A solver's answer, starting from 0.
 pub(super) fn answer(solver: &str, lcp: &Lcp) -> Result<Vec<f64>> {
-    Ok(Registry::standard()
-        .entry(solver)?
-        .build(&Options::default())
-        .solve(lcp, &Start::default(), &mut ())
-        .x)
+    let solver = Registry::standard().entry(solver)?.build(&Options::default());
+    Ok(solver.solve(lcp, &Start::default(), &mut ()).x)
 }
 
 /// The iterates of this number of sweeps, the start first, without a stop test. Jacobi is undamped.
@@ -92,14 +89,12 @@ pub(super) fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> Outcome {
     if k != l {
         return Outcome::Impossible(format!("no product: {m} × {k} by {l} × {n}"));
     }
-    Outcome::from((a * b).as_slice())
+    Outcome::from((a * b).as_slice().to_vec())
 }
 
 /// J M⁻¹ Jᵀ by rows, for point masses that move along one line.
 pub(super) fn delassus(j: &DMatrix<f64>, inverse_mass: &[f64]) -> Vec<f64> {
-    let m_inv = DMatrix::from_fn(inverse_mass.len(), inverse_mass.len(), |r, c| {
-        if r == c { inverse_mass[r] } else { 0.0 }
-    });
+    let m_inv = DMatrix::from_diagonal(&DVector::from_row_slice(inverse_mass));
     // The matrix is symmetric, so the order by columns is that by rows.
     (j * m_inv * j.transpose()).as_slice().to_vec()
 }

@@ -82,8 +82,7 @@ impl Finding {
 
     /// Adds a table, all of whose rows are shown.
     pub(crate) fn table(mut self, title: &str, columns: &[&str], rows: Vec<Vec<String>>) -> Self {
-        let columns = columns.iter().map(|title| title.to_string()).collect();
-        self.tables.push(Table { title: title.into(), columns, rows, ..Table::default() });
+        self.tables.push(Table::whole(title, columns, rows));
         self
     }
 
@@ -163,12 +162,6 @@ impl From<f64> for Outcome {
 impl From<Vec<f64>> for Outcome {
     fn from(values: Vec<f64>) -> Self {
         Outcome::Numbers(values)
-    }
-}
-
-impl From<&[f64]> for Outcome {
-    fn from(values: &[f64]) -> Self {
-        Outcome::Numbers(values.to_vec())
     }
 }
 

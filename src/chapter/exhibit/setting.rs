@@ -32,9 +32,7 @@ pub(super) fn point(height: f64, speed: f64) -> RigidBody {
 /// A world with these bodies and joints.
 pub(super) fn world(bodies: Vec<RigidBody>, joints: Vec<Joint>) -> World {
     let mut world = World { bodies, ..World::default() };
-    for joint in joints {
-        world.constraints.push(Box::new(joint));
-    }
+    world.constraints.extend(joints.into_iter().map(|joint| Box::new(joint) as _));
     world
 }
 

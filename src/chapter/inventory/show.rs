@@ -28,12 +28,9 @@ pub fn list(kind: Option<&Group>, verdict: Option<Verdict>) -> Document {
         count += entries.len();
         let mut section = Section::new(&group.title);
         let columns = ["no.", "verdict", "errata", "says", "lesson", "code"];
-        section.blocks.push(Block::Table(Table {
-            title: format!("{}, with verdicts", group.title),
-            columns: columns.map(str::to_string).to_vec(),
-            rows: entries.into_iter().map(line).collect(),
-            ..Table::default()
-        }));
+        let title = format!("{}, with verdicts", group.title);
+        let rows = entries.into_iter().map(line).collect();
+        section.blocks.push(Block::Table(Table::whole(title, &columns, rows)));
         document.add("", section);
     }
     document.lead = format!(

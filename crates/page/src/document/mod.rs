@@ -43,7 +43,7 @@ pub enum Format {
 /// Text, formulas, tables and pictures, in sections.
 ///
 /// ```
-/// use lcplab_page::document::{Document, Format, Formula, Section};
+/// use lcplab_page::document::{Block, Document, Format, Formula, Section, Table};
 /// use lcplab_page::page::Picture;
 ///
 /// let mut section = Section::new("the weight");
@@ -54,6 +54,7 @@ pub enum Format {
 /// section.formula(Formula::default().symbols("b = ", "b = ").vector(&[1.0, 2.0]));
 /// section.table("forces", &["row", "x (N)"], vec![vec!["normal".into(), "19.62".into()]]);
 /// section.figure(Picture { caption: "The box.".into(), ..Picture::default() });
+/// section.blocks.push(Block::Table(Table::whole("masses", &["kg"], vec![vec!["2".into()]])));
 ///
 /// let mut document = Document { title: "A box".into(), ..Document::default() };
 /// document.add("Step 1", section); // a part of that section
@@ -156,6 +157,14 @@ pub struct Table {
     pub keeps_columns: bool,
 }
 
+impl Table {
+    /// A table, all of whose rows are shown.
+    pub fn whole(title: impl Into<String>, columns: &[&str], rows: Vec<Vec<String>>) -> Self {
+        let columns = columns.iter().map(|title| title.to_string()).collect();
+        Table { title: title.into(), columns, rows, ..Table::default() }
+    }
+}
+
 impl Section {
     /// A section without contents.
     pub fn new(title: impl Into<String>) -> Self {
@@ -183,9 +192,9 @@ impl Section {
         rows.truncate(SHOWN);
         let is_kept = |c: usize| rows.is_empty() || rows.iter().any(|row| !row[c].is_empty());
         let kept: Vec<usize> = (0..columns.len()).filter(|c| is_kept(*c)).collect();
-        let columns = kept.iter().map(|c| columns[*c].to_string()).collect();
+        let columns: Vec<&str> = kept.iter().map(|c| columns[*c]).collect();
         let rows = rows.iter().map(|row| kept.iter().map(|c| row[*c].clone()).collect()).collect();
-        let table = Table { title: title.into(), columns, rows, left_out, ..Table::default() };
+        let table = Table { left_out, ..Table::whole(title, &columns, rows) };
         self.blocks.push(Block::Table(table));
     }
 }
