@@ -43,12 +43,8 @@ pub fn page(question: &Question, proof: &Proof, missing: &[(Kind, String)], text
     let is_strongest = matches!(proof.claim, Claim::NotUnique { .. });
     if !missing.is_empty() && !is_strongest {
         let reasons = missing.iter().map(|(kind, reason)| format!("- *{kind}*: {reason}\n"));
-        let reasons = vec![Block::Text(reasons.collect())];
-        sections.push(section(
-            "missing",
-            "Stronger statements, and why they are not proved",
-            reasons,
-        ));
+        let title = "Stronger statements, and why they are not proved";
+        sections.push(section("missing", title, vec![Block::Text(reasons.collect())]));
     }
     let (rows, sentence) = (counted(problem.lcp.len(), "row"), proof.sentence());
     let meaning = match &proof.claim {

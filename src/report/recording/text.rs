@@ -200,9 +200,10 @@ impl Record {
     }
 
     fn laws_in_words(&self) -> String {
+        let unit = if self.scene.step.scheme == Scheme::Acceleration { "N" } else { "N s" };
         let attraction = match self.scene.solver.fixed_sweeps {
             true => NOT_MEASURED.into(),
-            false => readable(self.laws.attraction, 2),
+            false => format!("{} {unit}", readable(self.laws.attraction, 2)),
         };
         let gain = match self.energy_totals {
             Some(_) => format!("{} J", readable(self.laws.friction_gain, 2)),

@@ -93,7 +93,8 @@ pub(crate) fn simulation_page(animation: Animation, record: &Record) -> Page {
         document.add(Block::Table(totals(record)));
     }
     let ledger = record.ledger();
-    if !ledger.is_empty() {
+    // Smaller ones would be shown as 0.
+    if ledger.iter().any(|(_, work)| work.abs() >= 1e-12) {
         document.add(Block::Table(causes(record, &ledger)));
     }
     if record.listed().0.len() > 1 {
@@ -122,8 +123,7 @@ fn tiles(record: &Record) -> Vec<Tile> {
         0 => tile("no warnings".into(), "about the motion", true),
         _ => tile(counted(warnings, "warning"), "about the motion, listed with the totals", false),
     };
-    let answers = (solves > 0).then_some(answers);
-    answers.into_iter().chain([attention]).collect()
+    (solves > 0).then_some(answers).into_iter().chain([attention]).collect()
 }
 
 /// Where the bodies are at the end.
