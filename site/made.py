@@ -120,14 +120,17 @@ class Maker:
         return pages
 
     def reports(self, out: Path) -> list[Page]:
-        pages = []
-        for name in DRAWN if self.quick else REPORTS:
+        pages, names = [], DRAWN if self.quick else list(REPORTS)
+        for name in names:
             folder = self.kept(
                 f"reports/{name}/index.html", "report", name, "--out", f"reports/{name}"
             ).parent
             page = self.whole(
                 folder / "index.html", f"reports/{name}/index.html", REPORTS[name], "../../learn/"
             )
+            for other in (other for other in names if other != name):
+                command = f"<code>lcplab report {other}</code>"
+                page.whole = page.whole.replace(command, f'<a href="../{other}/index.html">{command}</a>')
             page.weight = 0.5  # long pages have every word
             pages.append(page)
             for beside in (part for part in folder.iterdir() if part.is_dir() and part.name != "live"):

@@ -24,9 +24,9 @@ const SHIPPED: [(&str, &str); 5] = [
     ("schemes", include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/grids/schemes.toml"))),
 ];
 
-const KEYS: [&str; 15] = [
-    "title", "text", "plugins", "scene", "family", "steps", "measure", "scale", "theory", "seed",
-    "repeat", "set", "axes", "zip", "labels",
+const KEYS: [&str; 16] = [
+    "title", "text", "plugins", "scene", "family", "steps", "measure", "scale", "limit", "theory",
+    "seed", "repeat", "set", "axes", "zip", "labels",
 ];
 
 /// Maximum number of points on an axis.
@@ -49,6 +49,8 @@ pub struct Grid {
     pub measures: Vec<&'static Measure>,
     /// The scale of their axis; chosen from the values by default.
     pub scale: Option<Scale>,
+    /// The largest value of the first measure that is good enough.
+    pub limit: Option<f64>,
     /// The closed form to draw for comparison.
     pub theory: Option<Theory>,
     /// The seed from which those of the tasks are derived.
@@ -184,6 +186,7 @@ impl<'a> Reader<'a> {
                 Spacing::Linear => Scale::Linear,
                 Spacing::Log => Scale::Log,
             }),
+            limit: self.key("limit"),
             theory,
             labels,
             seed: self.key("seed").unwrap_or(1),

@@ -30,7 +30,8 @@
 //! ```
 //!
 //! `scale = "linear"` or `"log"` sets the scale of the measures' axis, which otherwise depends on
-//! the values; `theory` names a closed form to draw for comparison ([`Theory`]). The measure `rate`
+//! the values; `limit` is a value of the first measure that is good enough; `theory` names a
+//! closed form to draw for comparison ([`Theory`]). The measure `rate`
 //! solves the problem once more.
 //!
 //! A setting is the path of a field in the scene file, as for `simulate --set`; items of a list are

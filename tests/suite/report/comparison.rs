@@ -150,6 +150,7 @@ fn the_top_of_a_report_counts_confirmed_answers() {
     let run = &mut comparison.runs[0];
     (run.tally.solves, run.tally.claimed, run.tally.rejected_claims) = (10, 8, 1);
     let headline = plan.headline(&[comparison]);
-    let label = "answers accepted by an independent judge".to_string();
-    assert_eq!(headline.result, Some(([7, 8], label)));
+    let label =
+        "answers accepted by an independent judge; 2 of 10 problems are left unanswered: dantzig";
+    assert_eq!(headline.result, Some(([7, 8], label.to_string())));
 }

@@ -58,12 +58,6 @@ impl<'a> Curves<'a> {
         if self.path == "step.dt" { "s" } else { "" }
     }
 
-    /// Whether the file lists the positions from the largest to the smallest, as of a step that is
-    /// refined.
-    pub fn is_refined(&self) -> bool {
-        self.curves.iter().any(Curve::is_refined)
-    }
-
     /// The position of a curve's minimum along the axis, according to theory.
     pub fn optimum(&self, curve: &Curve<'_>) -> Option<f64> {
         let predicted = || curve.points.iter().find_map(|(_, point)| point.get("optimum"));
@@ -86,20 +80,6 @@ impl Curve<'_> {
     /// The positions of all points.
     pub(crate) fn places(&self) -> impl Iterator<Item = f64> {
         self.points.iter().map(|(x, _)| *x)
-    }
-
-    fn is_refined(&self) -> bool {
-        self.places().next() > self.places().last()
-    }
-
-    /// A measure at the last two positions, in the order of the file, where asymptotic growth is
-    /// best visible.
-    pub(crate) fn end(&self, measure: &Measure) -> Option<[(f64, f64); 2]> {
-        let mut points = self.measured(measure);
-        if self.is_refined() {
-            points.reverse();
-        }
-        points.last_chunk().copied()
     }
 
     /// Values by position, ascending; the median of repetitions.

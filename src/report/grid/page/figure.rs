@@ -6,6 +6,7 @@ use crate::plot::{Axis, Lines, Scale, Series};
 use crate::report::grid::file::{Grid, REPEAT};
 use crate::report::grid::measure::{ITERATIONS, Measure};
 use crate::report::grid::plan::plain;
+use crate::report::view::attempt::listed;
 use crate::solver::Registry;
 use crate::solver::theory::sor_radius;
 
@@ -50,6 +51,10 @@ pub(super) fn figure(
     let finding = finding(grid, curves, measure, &series)
         .unwrap_or_else(|| format!("{} against {}", measure.words, curves.across));
     let mut words = vec![format!("{}.", about(grid, measure))];
+    if let Some(limit) = grid.limit.filter(|_| measure == grid.measures[0]) {
+        let ends = [x.least, x.most].map(|x| (x, limit));
+        series.push(Series::reference("limit", ends.into()).labeled("limit"));
+    }
     let label = &counted(grid, measure);
     let y_wide = grid.scale.map_or(y.wide, |scale| scale == Scale::Log);
     let bands = match *measure == ITERATIONS {
@@ -176,18 +181,33 @@ fn step(curves: &[Curve<'_>]) -> Option<String> {
     (is_even && places.len() >= MANY).then(|| readable(step, 3))
 }
 
-/// The finding: where the measure is least, if every curve has its least value inside the axis;
-/// otherwise how the last values compare with the first ones; where these have no ratio, as values
-/// of both signs, the largest value.
+/// The finding: the curves that end within the limit, if there is one; where the measure is least,
+/// if every curve has its least value inside the axis; otherwise how the last values compare with
+/// the first ones; where these have no ratio, as values of both signs, the largest value.
 fn finding(
     grid: &Grid,
     curves: &Curves<'_>,
     measure: &Measure,
     series: &[Series],
 ) -> Option<String> {
-    least(grid, curves, measure, series)
+    within(grid, curves, measure, series)
+        .or_else(|| least(grid, curves, measure, series))
         .or_else(|| last_and_first(grid, curves, measure, series))
         .or_else(|| largest(curves, measure, series))
+}
+
+/// The curves that end within the limit of the grid.
+fn within(grid: &Grid, curves: &Curves<'_>, measure: &Measure, all: &[Series]) -> Option<String> {
+    let limit = grid.limit.filter(|_| measure == grid.measures[0])?;
+    let (end, _) = all.first()?.points.last()?;
+    let good = all.iter().filter(|own| own.points.last().is_some_and(|(_, y)| *y <= limit));
+    let good: Vec<String> = good.map(|own| own.name.clone()).collect();
+    let [end, limit] = [*end, limit].map(|value| readable(value, 2));
+    (!good.is_empty()).then(|| {
+        let (across, unit) = (&curves.across, curves.unit());
+        let within = format!("the {} stays within {limit} {}", measure.words, measure.unit);
+        format!("at {across} = {end} {unit} {within} with {}", listed(&good))
+    })
 }
 
 /// How the place of the curves' least values moves from the first curve to the last one; of a rate,
@@ -319,7 +339,7 @@ fn largest(curves: &Curves<'_>, measure: &Measure, series: &[Series]) -> Option<
 }
 
 /// The spread of values.
-pub(super) struct Spread {
+struct Spread {
     least: f64,
     most: f64,
     /// Whether they suggest a logarithmic axis.
@@ -328,7 +348,7 @@ pub(super) struct Spread {
 
 impl Spread {
     /// The spread of these values.
-    pub fn of(values: impl Iterator<Item = f64>) -> Self {
+    fn of(values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
         values.sort_by(f64::total_cmp);
         values.dedup();
@@ -346,7 +366,7 @@ impl Spread {
     }
 
     /// Whether the values suggest a logarithmic axis and allow one.
-    pub fn is_wide(&self) -> bool {
+    fn is_wide(&self) -> bool {
         self.wide && self.least > 0.0
     }
 }

@@ -12,6 +12,7 @@ use super::measure::{Finding, SECONDS};
 use super::plan::{Plan, Task, plain};
 use crate::number::{count, readable};
 use crate::report::page::{Block, Cell, Column, Fold, Origin, Page, Table, Tile};
+use crate::report::results::libraries;
 use crate::report::view::ReportPage;
 
 /// The files of a collected grid.
@@ -31,7 +32,7 @@ pub fn document(grid: &Grid, plan: &Plan, collection: &Collection) -> ReportPage
     let page = Page {
         title: grid.title.clone(),
         lead: text(grid, plan, &collection.points()),
-        facts: facts(plan, collection),
+        facts: facts(grid, plan, collection),
         ..Page::default()
     };
     let mut document = ReportPage { page, figures: Vec::new(), tables: Vec::new() };
@@ -107,9 +108,6 @@ pub fn show(grid: &Grid, plan: &Plan, points: &[Point<'_>], id: &str, document: 
         if let Some(table) = tables::optima(&curves) {
             document.table(&format!("{id}optimum"), table);
         }
-        if let Some(table) = tables::growth(grid, &curves) {
-            document.table(&format!("{id}growth"), table);
-        }
     }
     document.table(&format!("{id}tasks"), tables::results(grid, plan, points));
 }
@@ -160,12 +158,13 @@ fn origin(grid: &Grid) -> Origin {
     }
 }
 
-fn facts(plan: &Plan, collection: &Collection) -> Vec<(String, String)> {
+fn facts(grid: &Grid, plan: &Plan, collection: &Collection) -> Vec<(String, String)> {
     let mut facts = vec![
         ("lcplab".to_string(), env!("CARGO_PKG_VERSION").to_string()),
-        ("grid".into(), plan.grid.clone()),
+        ("libraries".into(), libraries().join(", ")),
         ("plan".into(), plan.hash.clone()),
         ("tasks".into(), format!("{} of {}", collection.done.len(), plan.tasks.len())),
+        ("reproduce".into(), origin(grid).command),
     ];
     if collection.impossible() > 0 {
         facts.push(("impossible points".into(), collection.impossible().to_string()));

@@ -1,7 +1,6 @@
 //! The tables of a grid: minima, growth, and every point.
 
 use super::curves::{Curve, Curves};
-use super::figure::Spread;
 use crate::number::readable;
 use crate::report::grid::collect::Point;
 use crate::report::grid::file::Grid;
@@ -69,46 +68,6 @@ pub(super) fn best(curves: &Curves<'_>) -> Option<String> {
     };
     let [from, to] = [from, to].map(|x| readable(*x, 3));
     Some(format!("The best {across} {verb} from {from} ({first}) to {to} ({last}){gains}."))
-}
-
-/// The exponent of each measure over the last two positions, if the axis is logarithmic; not of a
-/// count alone, whose growth the title of its figure states.
-pub(super) fn growth(grid: &Grid, curves: &Curves<'_>) -> Option<Table> {
-    if !Spread::of(curves.curves.iter().flat_map(Curve::places)).is_wide() {
-        return None;
-    }
-    let exponent = |curve: &Curve, measure: &Measure| {
-        let [(x0, y0), (x1, y1)] = curve.end(measure)?;
-        Some((y1 / y0).ln() / (x1 / x0).ln()).filter(|exponent| exponent.is_finite())
-    };
-    if grid.measures == [&ITERATIONS] {
-        return None;
-    }
-    // The rate lies between 0 and 1.
-    let grows = |measure: &&&Measure| measure.name != "rate";
-    let measures: Vec<&&Measure> = grid.measures.iter().filter(grows).collect();
-    let cells = |curve: &Curve| {
-        let exponents = measures.iter().map(|measure| exponent(curve, measure));
-        let numbers =
-            exponents.map(|own| own.map_or(Cell::text("–"), |own| Cell::number(own, 2)));
-        [Cell::text(&curve.name)].into_iter().chain(numbers).collect::<Vec<_>>()
-    };
-    let heads = measures
-        .iter()
-        .map(|measure| Column::numbers(format!("exponent of {}", words(measure)), ""));
-    Some(Table {
-        title: format!("Growth with {}", curves.across),
-        how_to_read: format!(
-            "From the two {} values of {}: an exponent of 1 means that doubling it doubles the quantity, 2 that \
-             it quadruples. If a count is below about ten, its exponent has no meaning, because a difference of one \
-             iteration dominates it.",
-            if curves.is_refined() { "smallest" } else { "largest" },
-            curves.across
-        ),
-        columns: [Column::words("curve")].into_iter().chain(heads).collect(),
-        rows: curves.curves.iter().map(cells).collect(),
-        ..Table::default()
-    })
 }
 
 /// A measure's name in words.

@@ -69,15 +69,15 @@ pub fn matrix(findings: &[Comparison], schemes: &[Scheme]) -> Grades {
 /// The schemes that keep gaps and joints within tolerance in every scene that begins so, the one
 /// with the smallest error of the energy first.
 pub fn kept(findings: &[Comparison], schemes: &[Scheme]) -> Vec<Scheme> {
-    let energy = |scheme: &Scheme| worst(findings, *scheme, |_, run| excess(run));
     let is_kept = |scheme: &&Scheme| worst(findings, **scheme, error) <= 1.0;
     let mut kept: Vec<Scheme> = schemes.iter().filter(is_kept).copied().collect();
+    let energy = |scheme: &Scheme| worst(findings, *scheme, excess);
     kept.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
     kept
 }
 
 /// The largest error of a scheme in the scenes that begin within tolerance; infinite without a run.
-fn worst(findings: &[Comparison], scheme: Scheme, error: fn(&Comparison, &Run) -> f64) -> f64 {
+pub fn worst(findings: &[Comparison], scheme: Scheme, error: fn(&Comparison, &Run) -> f64) -> f64 {
     let scenes = findings.iter().filter(|own| own.starts_within_tolerance());
     let errors =
         scenes.map(|own| own.best_run(scheme).map_or(f64::INFINITY, |run| error(own, run)));
@@ -86,7 +86,7 @@ fn worst(findings: &[Comparison], scheme: Scheme, error: fn(&Comparison, &Run) -
 
 /// The largest error of gaps and joints of a run relative to its tolerance; infinite if it ended
 /// early or a body passed through another one.
-fn error(comparison: &Comparison, run: &Run) -> f64 {
+pub fn error(comparison: &Comparison, run: &Run) -> f64 {
     match run.steps < comparison.steps || run.laws.passages > 0 {
         true => f64::INFINITY,
         false => {
@@ -105,12 +105,12 @@ fn energy(comparison: &Comparison, run: &Run) -> Grade {
     match run.laws.energy {
         _ if run.steps < comparison.steps => Grade::Missed(f64::INFINITY),
         Energy::Changes => Grade::Unknown,
-        _ => graded(excess(run)),
+        _ => graded(excess(comparison, run)),
     }
 }
 
 /// The error of the energy of a run relative to its tolerance.
-fn excess(run: &Run) -> f64 {
+pub fn excess(_: &Comparison, run: &Run) -> f64 {
     run.laws.energy_error.abs() / run.laws.energy_tolerance
 }
 

@@ -69,8 +69,13 @@ impl View for Plan {
         };
         let claimed = sum(|run| run.tally.claimed);
         let confirmed = claimed - sum(|run| run.tally.rejected_claims);
-        let result =
-            Some(([confirmed, claimed], "answers accepted by an independent judge".into()));
+        let mut label = "answers accepted by an independent judge".to_string();
+        let solves = sum(|run| run.tally.solves);
+        if claimed < solves {
+            let (left, by) = (count(solves - claimed), self.given_up(findings).replace('*', ""));
+            label += &format!("; {left} of {} problems are left unanswered{by}", count(solves));
+        }
+        let result = Some(([confirmed, claimed], label));
         let answer = self.held(findings);
         let figure = answer
             .is_some()
@@ -120,13 +125,21 @@ impl Plan {
         let Some((best, also)) = kept.split_first() else {
             return Some(format!("**None of {schemes} keeps {held}.**"));
         };
-        let rivals = match &also.iter().map(title).collect::<Vec<_>>()[..] {
-            [] => String::new(),
-            rivals => {
-                format!(" So do {}, but their worst error of the energy is larger.", listed(rivals))
-            }
-        };
-        Some(format!("**Of {schemes} use {}: it keeps {held}.**{rivals}", title(best)))
+        let excess =
+            |scheme: &Scheme| readable(matrix::worst(findings, *scheme, matrix::excess), 2);
+        let rivals = also.last().map_or(String::new(), |last| {
+            format!(
+                " So do {}, but their worst error of the energy is larger: up to {} times its tolerance, not {}.",
+                listed(&also.iter().map(title).collect::<Vec<_>>()),
+                excess(last),
+                excess(best)
+            )
+        });
+        let margin = readable(100.0 * matrix::worst(findings, *best, matrix::error), 2);
+        Some(format!(
+            "**Of {schemes} use {}: it keeps {held}.**{rivals} **Its limit**: its own errors reach {margin} % of this tolerance.",
+            title(best)
+        ))
     }
 
     /// The schemes or solvers with problems without an answer, and the reason of a single one.

@@ -42,7 +42,7 @@ fn by_scene(times: &[Timing], scenes: &[&str]) -> Table {
         std::iter::once(Cell::text(scheme)).chain(cells).collect()
     };
     let columns = scenes.iter().map(|scene| format!("#{scene} (ms)"));
-    let heads: Vec<String> = std::iter::once("level".to_string()).chain(columns).collect();
+    let heads: Vec<String> = std::iter::once("scheme".to_string()).chain(columns).collect();
     let rows = unique(times, |own| &own.scheme).into_iter().map(row).collect();
     Table::new(TITLE, ABOUT, &heads.join(" | "), rows)
 }

@@ -32,7 +32,7 @@ pub(super) fn outcome(runs: &[&LongRun]) -> Outcome {
     let curves = runs.iter().flat_map(|run| &run.curves);
     let ended = curves.filter(|curve| curve.failure.is_some()).count();
     let says = format!(
-        "{fall} of {} errors decrease as the step is halved; {ended} runs ended early",
+        "{fall} of {} errors in the first period decrease as the step is halved; {ended} runs ended early",
         errors.len()
     );
     Outcome { good: fall == errors.len() && ended == 0, says }
