@@ -302,7 +302,9 @@ fn changes(old: &Path, new: &Path, tolerance: Option<&String>) -> Result<Outcome
 /// The report on engines that draws this record.
 fn of_record(record: &Path) -> Result<Experiment> {
     let record = toml::Value::from(record.display().to_string());
-    let text = format!("{}record = {record}\n", experiment::shipped(ENGINES, "report")?);
+    let study = "study = \"cards\"\n";
+    let text = experiment::shipped(ENGINES, "report")?;
+    let text = text.replace(study, &format!("{study}record = {record}\n"));
     Experiment::parse(&text, "engines.toml", ENGINES)
 }
 

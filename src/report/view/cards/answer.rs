@@ -1,10 +1,10 @@
 //! Which engine for which use: the laws that a use requires, and the engines that obey all of them.
 
 use super::phenomenon::section;
-use super::{ACCURATE, DEFAULTS, OWN};
+use super::{ACCURATE, DEFAULTS, OWN, PACED};
 use crate::number::readable;
 use crate::report::page::{Cell, Table};
-use crate::report::study::cards::{Column, Engine, Measured, Phenomenon, Record};
+use crate::report::study::cards::{Column, Engine, Measured, Phenomenon, Record, Settings};
 
 /// Possible uses, and the phenomena that each requires.
 const USES: [(&str, &[&str]); 7] = [
@@ -26,48 +26,90 @@ pub fn place(law: &Phenomenon) -> (usize, &'static str) {
 /// How many engines obey all laws, and the one that obeys the most.
 pub fn of(record: &Record) -> String {
     let others = || record.engines.iter().filter(|engine| engine.name != OWN);
-    let runs = |engine: &Engine, settings: &str| -> Vec<&Column> {
-        let runs = record.phenomena.iter().filter_map(|own| column(own, &engine.name, settings));
-        runs.filter(|own| own.unsupported.is_none()).collect()
-    };
-    let held = |engine: &Engine, settings: &str| {
-        runs(engine, settings).iter().filter(|own| own.holds()).count()
-    };
     let laws = record.phenomena.len();
-    let is_faultless =
-        |engine: &&Engine| [DEFAULTS, ACCURATE].iter().any(|own| held(engine, own) == laws);
+    let is_faultless = |engine: &&Engine| {
+        [DEFAULTS, ACCURATE].iter().any(|own| obeyed(record, engine, own).0 == laws)
+    };
     let faultless = match others().filter(is_faultless).count() {
         0 => "none obeys".to_string(),
         1 => "one obeys".into(),
         count => format!("{count} obey"),
     };
     let best = |ways: Vec<(&Engine, &str)>| {
-        let (engine, settings) = ways.into_iter().max_by_key(|(own, way)| held(own, way))?;
+        let best = ways.into_iter().max_by_key(|(own, way)| obeyed(record, own, way).0);
+        let Some((engine, settings)) = best else { return Default::default() };
         let name = if engine.name == OWN { format!("*{settings}*") } else { engine.title.clone() };
-        let supported = match runs(engine, settings).len() {
-            all if all == laws => all.to_string(),
-            some => format!("the {some} that it supports"),
+        let (held, supported) = match obeyed(record, engine, settings) {
+            (held, all) if all == laws => (held, all.to_string()),
+            (held, some) => (held, format!("the {some} that it supports")),
         };
-        Some(format!("{name}, {} of {supported}", held(engine, settings)))
+        let time = pace(record, engine, settings).map(|time| format!("{} s", readable(time, 2)));
+        (format!("{name}, {held} of {supported}"), time.unwrap_or_default())
     };
-    let with = |settings| best(others().map(|own| (own, settings)).collect()).unwrap_or_default();
+    let with = |settings| best(others().map(|own| (own, settings)).collect());
     let own = record.engines.iter().filter(|engine| engine.name == OWN);
     let own = own.flat_map(|own| own.settings.iter().map(move |way| (own, way.name.as_str())));
-    let own =
-        best(own.collect()).map_or(String::new(), |own| format!("; of lcplab's schemes {own}"));
+    let [installed, accurate, own] = [with(DEFAULTS), with(ACCURATE), best(own.collect())];
     let served = |settings: &str| {
         USES.iter().filter(|(_, names)| !obeying(record, names, settings).is_empty()).count()
     };
     format!(
         "**Of {} physics engines {faultless} all {laws} laws of mechanics.** As installed, the engine that obeys most is \
-         {}; with accurate settings {}{own}. **Choose by use (Table 1)**: as installed, an engine obeys all laws that \
+         {}; with accurate settings {}; of lcplab's schemes {}. They take {}, {} and {} of wall time for one second of a \
+         tower of ten cubes (Table 2). **Choose by use (Table 1)**: as installed, an engine obeys all laws that \
          matter for {} of {} uses, with accurate settings for {}.",
         others().count(),
-        with(DEFAULTS),
-        with(ACCURATE),
+        installed.0,
+        accurate.0,
+        own.0,
+        installed.1,
+        accurate.1,
+        own.1,
         served(DEFAULTS),
         USES.len(),
         served(ACCURATE)
+    )
+}
+
+/// The number of laws that an engine obeys, and of those that it supports.
+fn obeyed(record: &Record, engine: &Engine, settings: &str) -> (usize, usize) {
+    let runs = record.phenomena.iter().filter_map(|own| column(own, &engine.name, settings));
+    let runs: Vec<&Column> = runs.filter(|own| own.unsupported.is_none()).collect();
+    (runs.iter().filter(|own| own.holds()).count(), runs.len())
+}
+
+/// The wall time of an engine per simulated second of the scene that measures it.
+fn pace(record: &Record, engine: &Engine, settings: &str) -> Option<f64> {
+    let paced = record.phenomena.iter().find(|own| own.name == PACED)?;
+    column(paced, &engine.name, settings)?.pace
+}
+
+/// The laws that each engine obeys, and the time that it takes.
+pub fn cost(record: &Record) -> Table {
+    let cells = |engine: &Engine, settings: &str| {
+        let held = match obeyed(record, engine, settings) {
+            (_, 0) => "–".into(),
+            (held, all) => format!("{held} of {all}"),
+        };
+        let time = pace(record, engine, settings);
+        [Cell::text(held), time.map_or(Cell::text("–"), |time| Cell::number(time, 2))]
+    };
+    let row = |(engine, way): (&Engine, &Settings)| {
+        let name = match engine.name == OWN {
+            true => format!("{OWN}, {}", way.name),
+            false => engine.title.clone(),
+        };
+        let both = [cells(engine, DEFAULTS), cells(engine, &way.name)].concat();
+        [Cell::text(name)].into_iter().chain(both).collect()
+    };
+    let engines = record.engines.iter();
+    let ways = engines.flat_map(|own| own.settings.iter().map(move |way| (own, way)));
+    Table::new(
+        "Laws obeyed, and the wall time for one second of the tower",
+        "Of the laws that an engine supports. The tower has ten cubes; each engine takes steps of its own length (Table 3); bodies that \
+         sleep cost little.",
+        "engine | as installed | #time (s) | accurate settings | #time (s)",
+        ways.filter(|(_, way)| way.name != DEFAULTS).map(row).collect(),
     )
 }
 

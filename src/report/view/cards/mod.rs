@@ -65,6 +65,7 @@ impl View for Plan {
                  as installed, each with the time step of its settings.",
                 releases(record)
             ));
+            document.table("cards_cost", answer::cost(record));
             let asked = record.phenomena.iter();
             let asked =
                 asked.map(|own| format!("**{}**: {}", own.name.replace('_', " "), own.question));
@@ -172,11 +173,9 @@ fn heat(record: &Record) -> Grades {
     Grades {
         id: "cards_matrix".into(),
         title: format!("As installed, the engines obey the law in {held} of {all} tests"),
-        caption: format!(
-            "The name of a row leads to its law. A number is the largest violation in multiples of the tolerance, with k \
-             for thousands; ✗: the run failed; –: the engine or its adapter does not support the scene.{}",
-            largest(record)
-        ),
+        caption: "The name of a row leads to its law. A number is the largest violation in multiples of the tolerance, with k \
+                  for thousands; ✗: the run failed; –: the engine or its adapter does not support the scene."
+            .into(),
         rows,
         has_counts: true,
         links,
@@ -187,25 +186,6 @@ fn heat(record: &Record) -> Grades {
             })
             .collect(),
     }
-}
-
-/// The largest violation with accurate settings, in a sentence.
-fn largest(record: &Record) -> String {
-    let runs =
-        record.phenomena.iter().flat_map(|own| own.columns.iter().map(move |run| (own, run)));
-    let accurate = runs.filter(|(_, run)| run.engine != OWN && run.settings == ACCURATE);
-    let worst = accurate.filter_map(|(own, run)| Some((own, run, run.worst()?)));
-    let largest = worst.max_by(|a, b| a.2.miss().total_cmp(&b.2.miss()));
-    largest.map_or(String::new(), |(own, run, worst)| {
-        format!(
-            " The largest with accurate settings: *{}* in {}, {} {}, {} times its tolerance.",
-            own.name.replace('_', " "),
-            record.title(&run.engine),
-            worst.what,
-            answer::found(worst),
-            readable(worst.miss(), 2)
-        )
-    })
 }
 
 /// The tested releases of the external engines.
@@ -233,14 +213,6 @@ fn times(miss: f64) -> String {
     }
 }
 
-/// The wall time of an engine per simulated second of the tower.
-fn pace(record: &Record, engine: &str, settings: &str) -> Cell {
-    let tower = record.phenomena.iter().filter(|own| own.name == PACED);
-    let of = |column: &&cards::Column| column.engine == engine && column.settings == settings;
-    let pace = tower.flat_map(|own| &own.columns).find(of).and_then(|column| column.pace);
-    pace.map_or(Cell::text("–"), |pace| Cell::number(1e3 * pace, 2))
-}
-
 fn settings(record: &Record) -> Table {
     let rows = record.engines.iter().flat_map(|engine| {
         engine.settings.iter().map(|settings| {
@@ -248,7 +220,6 @@ fn settings(record: &Record) -> Table {
                 Cell::text(format!("{} {}", engine.package, engine.version)),
                 Cell::text(&settings.name),
                 Cell::text(&settings.words),
-                pace(record, &engine.name, &settings.name),
             ]
         })
     });
@@ -256,9 +227,8 @@ fn settings(record: &Record) -> Table {
         "Settings of the engines",
         "All differences from the default settings of an engine. Accurate settings are those that \
          the documentation of the engine recommends; if it recommends none, the text names their source. \
-         The adapters translate and correct nothing; they reject scenes that an engine cannot express. Times are those of the machine that ran \
-         the engines; a step of sleeping bodies costs little.",
-        "package | settings | in words | #time for one second of the tower of ten (ms)",
+         The adapters translate and correct nothing; they reject scenes that an engine cannot express.",
+        "package | settings | in words",
         rows.collect(),
     )
 }
