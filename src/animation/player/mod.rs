@@ -123,25 +123,27 @@ impl Recording {
 
     /// Runs a simulation and keeps this number of instants.
     pub fn of(name: &str, simulation: &mut Simulation, steps: usize, samples: usize) -> Self {
-        Recording::until(&Stop::default(), name, simulation, steps, samples)
+        Recording::until(&Stop::default(), name, simulation, [steps, samples], |_| ())
     }
 
-    /// The same with a stop condition.
+    /// The same with a stop condition; `see` sees each step.
     pub(crate) fn until(
         stop: &Stop,
         name: &str,
         simulation: &mut Simulation,
-        steps: usize,
-        samples: usize,
+        [steps, samples]: [usize; 2],
+        mut see: impl FnMut(&Step),
     ) -> Self {
         let mut recording = Recording::start(name, simulation);
         let (scene, kept) = (simulation.scene().clone(), instants(steps, samples));
         for _ in 0..steps {
             match simulation.step_before(stop) {
-                Ok(step) if kept.binary_search(&step.number).is_ok() => {
-                    recording.add(&scene, &step)
+                Ok(step) => {
+                    see(&step);
+                    if kept.binary_search(&step.number).is_ok() {
+                        recording.add(&scene, &step);
+                    }
                 }
-                Ok(_) => {}
                 Err(failure) => {
                     recording.end(Some(&failure));
                     break;

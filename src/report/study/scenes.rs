@@ -6,12 +6,13 @@ use toml::Table;
 
 use super::Study;
 use super::animation::AnimationData;
+use super::tally::Tally;
 use super::variation::Variation;
 use crate::animation::Recording;
 use crate::error::Result;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
-use crate::solver::Registry;
+use crate::solver::{Registry, Stop};
 
 /// The scenes to show.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -30,6 +31,8 @@ pub struct Finding {
     pub teaches: String,
     /// Its motion.
     pub animation: AnimationData,
+    /// The judge's verdicts on the answers of every step.
+    pub tally: Tally,
 }
 
 /// The number of instants of an animation, and for a scene with more bodies than [`MANY`].
@@ -49,10 +52,14 @@ impl Study for Plan {
         let name = &self.scenes[task];
         let scene = Scene::load(name)?;
         let instants = INSTANTS[usize::from(scene.bodies.len() > MANY)];
-        let steps = scene.step.count;
-        let recording = Recording::of("as shipped", &mut Simulation::of(&scene)?, steps, instants);
+        let (mut simulation, mut tally) = (Simulation::of(&scene)?, Tally::default());
+        let counts = [scene.step.count, instants];
+        let recording =
+            Recording::until(&Stop::default(), "as shipped", &mut simulation, counts, |step| {
+                tally.add_step(step, scene.solver.tolerance, |_, _| ());
+            });
         let animation =
             AnimationData::of(&scene.name, Variation::of(name, &Table::new()), &[recording]);
-        Ok((Finding { title: scene.title, teaches: scene.teaches, animation }, ()))
+        Ok((Finding { title: scene.title, teaches: scene.teaches, animation, tally }, ()))
     }
 }

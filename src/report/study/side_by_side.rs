@@ -66,7 +66,8 @@ pub fn animation(
     let record = |(name, solver): &(String, AnimatedSolver)| {
         let mut own = scene.at_level(solver.scheme);
         own.solver.max_iterations = solver.max_iterations.unwrap_or(own.solver.max_iterations);
-        Recording::until(stop, name, &mut Simulation::by(&own, &solver.method), steps, samples)
+        let mut simulation = Simulation::by(&own, &solver.method);
+        Recording::until(stop, name, &mut simulation, [steps, samples], |_| ())
     };
     Animation::new(id, scene, solvers.par_iter().map(record).collect())
 }
