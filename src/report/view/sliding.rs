@@ -30,10 +30,11 @@ impl View for Plan {
             document.text(
                 "The first condition is the friction cone; in the plane of the two tangents $t_1$, $t_2$ it is bounded by a \
                  circle, which linear constraints only approximate. Solvers use one of these sets:\n\n\
-                 - **Frozen box**: each tangent has its own bounds, $\\pm\\mu$ times a known normal impulse. In a single problem it comes from a solve *without* friction; in a simulation, from the previous step (0 in the first step of a contact). The set is a square of fixed size.\n\
-                 - **Coupled box**: the same square, with the current $x_n$. The scenes of this report use it.\n\
-                 - **Polygon** of 4, 8 or 16 corners on the circle, one at $t_1$: an LCP in which one unknown for each corner and one for the sliding speed replace the two tangents, solved by Lemke's method.\n\
-                 - **Cone**: the circle itself. *Associated*: a convex problem, in which sliding bodies lift off. *Coulomb*: the exact law.\n\n\
+                 - *frozen-box*: each tangent has its own bounds, $\\pm\\mu$ times a known normal impulse. In a single problem it comes from a solve *without* friction; in a simulation, from the previous step (0 in the first step of a contact). The set is a square of fixed size.\n\
+                 - *coupled-box*: the same square, with the current $x_n$.\n\
+                 - *polygon-4*, *-8*, *-16*: a polygon with its corners on the circle, one at $t_1$; an LCP in which one unknown for each corner and one for the sliding speed replace the two tangents, solved by Lemke's method.\n\
+                 - *associated-cone*: the circle itself, as a convex problem in which sliding bodies lift off.\n\
+                 - *coulomb-cone*: the circle itself, and the exact law.\n\n\
                  A block of 1 kg lies on the floor and is pushed along it. It is pressed down so that \
                  $\\mu x_n = 1$ N s. $A$ is the identity: no impulse changes the $w$ of another row. The friction impulse \
                  is therefore the point of the model's box, polygon or cone that is nearest to the impulse that \
@@ -42,22 +43,15 @@ impl View for Plan {
             );
             document.figure(direction_figure(study));
             document.text(
-                "Friction should point against the slip, but under the box and the polygon it points to a corner \
-                 instead. A crate that is dragged at 30° to the tangents drifts to one side; dragged along a \
-                 tangent it does not. A real floor has no tangents: the program chooses them.",
-            );
-            document.figure(grip_figure(study));
-            document.text(
-                "The extent of the box or polygon in a direction is the largest push that does not move the \
-                 block. It is too large toward the corners of the box, by $\\sqrt{2} - 1$ = 41 %, and too \
-                 small across the edges of a polygon, by $1 - \\cos(\\pi/k)$: 29 %, 8 % and 2 % for $k$ = 4, \
-                 8, 16.",
+                "A real floor has no tangents: the program chooses them. The largest push that does not move the block (Table 1) \
+                 is too large toward the corners of the box, by $\\sqrt{2} - 1$ = 41 %, and too small across the edges \
+                 of a polygon, by $1 - \\cos(\\pi/k)$: 29 %, 8 % and 2 % for $k$ = 4, 8, 16.",
             );
             document.table("friction_block", block_table(study));
             document.text(
-                "For the block the two box models agree; so do the two cones, except that the associated one \
+                "For the block *frozen-box* agrees with *coupled-box*, and *associated-cone* with *coulomb-cone*, except that it \
                  lifts the block. For a rod on two feet, the two boxes give the same motion but different impulses: friction \
-                 shifts load from one foot to the other, which the frozen box ignores.",
+                 shifts load from one foot to the other, which *frozen-box* ignores.",
             );
             document.table("friction_rod", rod_table(study));
             document.text(
@@ -76,17 +70,19 @@ impl View for Plan {
             let (turned, models) = most_aside();
             let close = closest(study).map_or(String::new(), |(model, part)| {
                 format!(
-                    "; of these the best in Table 1, {}, is off by {} and {}°",
-                    short(model),
+                    "; of these the best in Table 1, {model}, is off by {} and {}°",
                     percent(part),
                     readable(aside(model), 3)
                 )
             });
             format!(
                 "**Use {}: no other model here obeys Coulomb's law.** Friction of boxes and polygons points to a corner: they \
-                 hold {} and turn friction by almost {turned:.0}° ({models}){close}.",
+                 hold {} and turn friction by almost {turned:.0}° ({models}){close}. **The shipped scenes use *coupled-box***, \
+                 because every solver of boxed LCPs takes it, and few take cones: it is good enough where bodies slip along a \
+                 tangent{}.",
                 listed(&obeying(study)),
-                strength(study)
+                strength(study),
+                along(study)
             )
         });
         let paths = findings.first().map(path_figure);
@@ -127,7 +123,7 @@ fn models(study: &Finding) -> Table {
             0.0 => Cell::count(0),
             most => Cell { value: Some(most), ..Cell::text(format!("< {}", readable(most, 3))) },
         };
-        [Cell::text(short(*model))].into_iter().chain(held).chain([aside]).collect()
+        [Cell::text(model.to_string())].into_iter().chain(held).chain([aside]).collect()
     };
     Table::new(
         "Friction under each model",
@@ -143,7 +139,7 @@ fn models(study: &Finding) -> Table {
 
 /// The model that is shown with the largest value, and that value.
 fn extreme(of: impl Fn(Model) -> f64) -> (f64, String) {
-    let all = SHOWN.iter().map(|model| (of(*model), short(*model)));
+    let all = SHOWN.iter().map(|model| (of(*model), model.to_string()));
     all.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()
 }
 
@@ -165,11 +161,22 @@ fn obeying(study: &Finding) -> Vec<String> {
         let mut own = study.slides.iter().filter(|slide| slide.answer.model == *model);
         own.all(|slide| follows(&slide.answer))
     };
-    let name = |model| match model {
-        Model::CoulombCone => "the exact cone (*coulomb-cone*)".to_string(),
-        other => format!("*{other}*"),
+    Model::ALL.into_iter().filter(obeys).map(|model| format!("*{model}*")).collect()
+}
+
+/// The coupled box where the block slides along a tangent, and the least that it holds.
+fn along(study: &Finding) -> String {
+    let slides = study.slides.iter().filter(|own| own.answer.model == Model::CoupledBox);
+    let along = slides.filter(|own| own.degrees == 0.0).map(pairs);
+    let of = |[(strength, _), (off, _), _]: [(f64, f64); 3]| {
+        let off = readable((10.0 * off).round() / 10.0, 3);
+        let [least, _] = held(study, Model::CoupledBox).map(percent);
+        format!(
+            " ({} of the limit, {off}° off), and it never holds less than {least} of it",
+            percent(strength)
+        )
     };
-    Model::ALL.into_iter().filter(obeys).map(name).collect()
+    along.map(of).collect()
 }
 
 /// The model with corners whose limit is closest to Coulomb's, and the error of it.
@@ -196,8 +203,8 @@ fn aside(model: Model) -> f64 {
 /// The largest of these angles, and the models that have it.
 fn most_aside() -> (f64, String) {
     let (most, _) = extreme(aside);
-    let models = SHOWN.into_iter().filter(|model| aside(*model) > most - AGREES).map(short);
-    (most, models.collect::<Vec<_>>().join(", "))
+    let models = SHOWN.into_iter().filter(|model| aside(*model) > most - AGREES);
+    (most, models.map(|model| model.to_string()).collect::<Vec<_>>().join(", "))
 }
 
 /// How far each model stops the block from where Coulomb's law does.
@@ -207,7 +214,7 @@ fn path_title(study: &Finding) -> String {
     let Some([x, y]) = stop(Model::CoulombCone) else { return "Paths of the block".into() };
     let far = |model: &Model| {
         let [a, b] = stop(*model).filter(|_| *model != Model::CoulombCone)?;
-        Some(((a - x).hypot(b - y), short(*model)))
+        Some(((a - x).hypot(b - y), model.to_string()))
     };
     let mut far: Vec<(f64, String)> = SHOWN.iter().filter_map(far).collect();
     far.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -218,14 +225,14 @@ fn path_title(study: &Finding) -> String {
     let [first, others @ ..] = &far[..] else { return "Paths of the block".into() };
     let first = first.replacen(" by", " is off by", 1);
     let all = std::iter::once(&first).chain(others).cloned().collect::<Vec<_>>().join(", ");
-    format!("Only the cone stops where Coulomb's law says: {all}")
+    format!("Only coulomb-cone stops where Coulomb's law says: {all}")
 }
 
 fn path_figure(study: &Finding) -> Lines {
     let path = |model: &Model| {
         let paths = study.paths.iter().filter(|path| path.model == *model);
         let points = paths.flat_map(|path| path.points.iter().map(|&[x, y]| (x, y)));
-        Series::points(short(*model), points.collect()).labeled(short(*model))
+        Series::points(model.to_string(), points.collect()).labeled(model.to_string())
     };
     let straight = study.paths.iter().find(|path| path.model == Model::CoulombCone);
     let line = straight.map(|path| vec![(0.0, 0.0), (path.expected[0], path.expected[1])]);
@@ -258,9 +265,9 @@ fn path_table(study: &Finding) -> Table {
         "Where the block stops",
         "Positions along $t_1$ and $t_2$; the expected ones follow from the geometry of the \
          model, for infinitely short steps. A row agrees if the distance from the expected position is at most the distance that the block moves in the \
-         first two steps, and if its gap agrees to 1 µm. (The frozen box needs this tolerance: its limits come \
+         first two steps, and if its gap agrees to 1 µm. (*frozen-box* needs this tolerance: its limits come \
          from the previous step, so they are 0 in the first step.) *gap*: the height at which the block slides after 0.1 s, $\\Delta t\\, \\mu |v|$ for \
-         the associated cone. With this cone the block starts at that height; if it started on the floor, the cone would lift it off.",
+         *associated-cone*. With it the block starts at that height; if it started on the floor, it would be lifted off.",
         "model | solver | #problems | #accepted | #t₁ (m) | #expected (m) | #t₂ (m) | \
          #expected (m) | #gap (m) | #expected (m) | agreement",
         study.paths.iter().map(path_cells).collect(),
@@ -291,15 +298,6 @@ fn path_cells(path: &Path) -> Vec<Cell> {
     cells
 }
 
-/// The name of a model's curves.
-fn short(model: Model) -> String {
-    match model {
-        Model::FrozenBox | Model::CoupledBox => "box".into(),
-        Model::CoulombCone => "cone".into(),
-        other => other.to_string(),
-    }
-}
-
 fn against(v: [f64; 3]) -> f64 {
     f64::atan2(0.0 - v[2], 0.0 - v[1]).to_degrees()
 }
@@ -313,10 +311,10 @@ fn direction_figure(study: &Finding) -> Lines {
             (against(velocity), impulse[2].atan2(impulse[1]).to_degrees())
         };
         let points = sliding.map(|contact| point(contact.impulse, contact.velocity));
-        Series::points(short(*model), points.collect())
+        Series::points(model.to_string(), points.collect())
     };
     let theory =
-        |model: &Model| Series::theory(format!("theory, {}", short(*model)), stairs(*model));
+        |model: &Model| Series::theory(format!("theory, {}", model.to_string()), stairs(*model));
     let (most, names) = most_aside();
     Lines::new(
         "friction_direction",
@@ -325,7 +323,7 @@ fn direction_figure(study: &Finding) -> Lines {
         ),
         format!(
             "The push is {} times the largest push that friction can resist, in directions from 0 to 90° \
-             from t₁, in steps of 5°. Coulomb's law is the diagonal. With the box model, friction points at 45° to the \
+             from t₁, in steps of 5°. Coulomb's law is the diagonal. With *coupled-box*, friction points at 45° to the \
              tangents unless the slip is along a tangent, so it is almost 45° off if the slip is almost along one.",
             readable(study.push, 3)
         ),
@@ -347,27 +345,6 @@ fn stairs(model: Model) -> Vec<(f64, f64)> {
     let mut points: Vec<_> = steps.map(|(x, y)| (x.clamp(0.0, 90.0), y.clamp(0.0, 90.0))).collect();
     points.dedup();
     points
-}
-
-fn grip_figure(study: &Finding) -> Lines {
-    let measured = |model: &Model| {
-        let grips = study.grips.iter().filter(|grip| grip.model == *model);
-        Series::points(short(*model), grips.map(|grip| (grip.degrees, grip.measured)).collect())
-    };
-    let theory = |model: &Model| {
-        let reach = |degrees: f64| Figure::of(*model).reach(degrees.to_radians());
-        let points = (0..=180).map(|k| f64::from(k) / 2.0).map(|d| (d, reach(d)));
-        Series::theory(format!("theory, {}", short(*model)), points.collect())
-    };
-    Lines::new(
-        "friction_grip",
-        format!("Friction holds {}", strength(study)),
-        "The largest push without slip; by Coulomb's law it is 1 N s in every direction. Markers: measured by \
-         bisection, to 10⁻⁴ N s.",
-        Axis::linear("direction of the push", "degrees from t₁"),
-        Axis::linear("push", "N s"),
-        SHOWN.iter().map(measured).chain(SHOWN.iter().map(theory)).collect(),
-    )
 }
 
 fn block_table(study: &Finding) -> Table {
@@ -419,7 +396,7 @@ fn rod_table(study: &Finding) -> Table {
         "The rod on two feet",
         "Strength and angle as above, for each foot; a dash means that the foot sticks. The tangent rows of the two \
          feet along the rod are redundant, so individual impulses may not be unique; the velocities are unique. \
-         *velocity error*: the largest difference of $w$ from that of Coulomb's cone.",
+         *velocity error*: the largest difference of $w$ from that of *coulomb-cone*.",
         "model | solver | verdict | #load of foot 1 (N s) | #strength of foot 1 | #off at foot 1 (°) | \
          #load of foot 2 (N s) | #strength of foot 2 | #off at foot 2 (°) | #velocity error (m/s) | #Coulomb residual",
         study.rod.iter().map(|answer| rod_cells(answer, exact)).collect(),

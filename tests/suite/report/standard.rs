@@ -127,8 +127,8 @@ fn a_report_is_one_page_that_fetches_nothing_with_its_data_beside_it() {
         assert!(folder.path().join("data").join(link).is_file(), "{link}");
         count += 1;
     }
-    // A CSV for each of 12 tables, an SVG and a CSV for each of 7 figures.
-    assert_eq!(count, 12 + 2 * 7);
+    // A CSV for each of 12 tables, an SVG and a CSV for each of 6 figures.
+    assert_eq!(count, 12 + 2 * 6);
     assert!(folder.path().join("results.json").is_file());
     let left_over = std::fs::read_dir(folder.path()).unwrap();
     assert!(left_over.flatten().all(|file| file.path().extension().is_none_or(|e| e != "part")));

@@ -22,8 +22,10 @@ const LINE: f64 = 16.0;
 const LEADER: f64 = 14.0;
 /// The width of the marker between that line and a label right of the frame, in px.
 const SPOT: f64 = 11.0;
-/// A curve whose last point is within this fraction of the right edge reaches it.
+/// A curve whose last point is beyond this fraction of the width reaches the right edge; separate
+/// points do so earlier, because no line leads to a label inside.
 const REACHES: f64 = 0.93;
+const POINTS_REACH: f64 = 0.7;
 /// The largest fraction of a figure's width that the labels take.
 const MOST: f64 = 0.36;
 
@@ -73,7 +75,13 @@ fn reaches(figure: &Lines, panel: &Panel, series: &Series, x: (f64, f64)) -> boo
         return false;
     }
     let last = last(series).and_then(|point| figure.x.scale.position(point.0));
-    last.is_some_and(|last| last > x.0 + REACHES * (x.1 - x.0))
+    last.is_some_and(|last| last > x.0 + reach(series) * (x.1 - x.0))
+}
+
+/// The part of the width beyond which a curve reaches the right edge.
+fn reach(series: &Series) -> f64 {
+    let is_path = series.look == Look::Points && series.points.len() > 1;
+    if is_path { POINTS_REACH } else { REACHES }
 }
 
 /// Whether a curve ends where several others do, and starts apart from them: its label stands near
@@ -184,7 +192,6 @@ pub(super) fn draw(
     looks: &BTreeMap<&str, Drawn>,
     (edge, only_references): (f64, bool),
 ) {
-    let reach = frame.left + REACHES * (frame.right - frame.left);
     let (mut beside, mut inside, mut wanted) = (Vec::new(), Vec::new(), Vec::new());
     for (series, text) in labels(panel) {
         let mut path = path(frame, (x, panel), series);
@@ -200,6 +207,7 @@ pub(super) fn draw(
             continue;
         }
         let joins = joins(panel, series);
+        let reach = frame.left + reach(series) * (frame.right - frame.left);
         if at.0 > reach && !joins && !is_line {
             beside.push(end);
             continue;
