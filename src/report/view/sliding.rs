@@ -313,8 +313,7 @@ fn direction_figure(study: &Finding) -> Lines {
         let points = sliding.map(|contact| point(contact.impulse, contact.velocity));
         Series::points(model.to_string(), points.collect())
     };
-    let theory =
-        |model: &Model| Series::theory(format!("theory, {}", model.to_string()), stairs(*model));
+    let theory = |model: &Model| Series::theory(format!("theory, {model}"), stairs(*model));
     let (most, names) = most_aside();
     Lines::new(
         "friction_direction",
