@@ -40,7 +40,8 @@ const FRICTION: [f64; 2] = [0.0, 0.5];
 /// Random piles for which no solver was tuned: numbers of bodies and contacts.
 const PILES: [(usize, usize); 2] = [(100, 200), (500, 1000)];
 /// Scenes and their steps.
-const SCENES: [(&str, usize); 3] = [("chain", 30), ("net", 20), ("pyramid", 20)];
+const SCENES: [(&str, usize); 5] =
+    [("incline", 50), ("sliding", 10), ("chain", 30), ("net", 20), ("pyramid", 20)];
 /// How the names of recorded frames begin, and the limit of their iterations.
 const ENGINES: [&str; 4] = ["drake", "lcplab", "mujoco", "pybullet"];
 const FRAME_ITERATIONS: usize = 10_000;
@@ -128,7 +129,8 @@ fn problem(problem: Source) -> Result<TimedProblem> {
     let ten_sweeps =
         TenSweeps { seconds: times[solved.len()].best, unsupported: posed.unsupported(&x) };
     println!("{}: {} rows, {rounds} rounds", problem.name(), posed.lcp.len());
-    Ok(TimedProblem { problem, rows: posed.lcp.len(), ten_sweeps, solvers })
+    let stored = posed.lcp.matrix().stored();
+    Ok(TimedProblem { problem, rows: posed.lcp.len(), stored, ten_sweeps, solvers })
 }
 
 fn solve(entry: &Entry, lcp: &Lcp, options: &Options) -> Solution {

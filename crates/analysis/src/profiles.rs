@@ -26,7 +26,7 @@
 //!     work: 84.0,
 //! };
 //! let attempts = vec![attempt("a", Outcome::Proved), attempt("b", Outcome::Outside("…".into()))];
-//! let problem = ProblemAttempts { rows: 3, impossible: false, attempts: vec![attempts] };
+//! let problem = ProblemAttempts { rows: 3, impossible: false, semidefinite: true, attempts: vec![attempts] };
 //! let tried = [FamilyAttempts { family: "mine".into(), problems: vec![problem] }];
 //! assert_eq!(costs(&tried, 0), [[Solved(84.0), NotTried]]);
 //! // A problem that was not tried counts as failed, if the solver tried any.
@@ -54,6 +54,8 @@ pub struct ProblemAttempts {
     pub rows: usize,
     /// Whether it is known that no solution exists; a claim to have solved it is then false.
     pub impossible: bool,
+    /// Whether A is symmetric and positive semidefinite.
+    pub semidefinite: bool,
     /// By tolerance, in the order of the settings; for each by solver.
     pub attempts: Vec<Vec<Attempt>>,
 }

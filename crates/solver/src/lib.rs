@@ -66,8 +66,8 @@ pub use options::{Choice, Options};
 pub use pivot::{BlockPivoting, Dantzig, Enumeration, Lemke, Murty, Side, Variable};
 pub use registry::{Registry, default_for};
 pub use sequence::{
-    Attempt, SequenceAnswer, solve as solve_by_sequence, solve_boxed as solve_boxed_by_sequence,
-    solve_boxed_without, solve_lcp as solve,
+    Attempt, SequenceAnswer, is_semidefinite, solve as solve_by_sequence,
+    solve_boxed as solve_boxed_by_sequence, solve_boxed_without, solve_lcp as solve,
 };
 pub use settings::Settings;
 pub use solution::{Fallback, Solution, Status};

@@ -171,7 +171,19 @@ pub fn solve_boxed_without(
 }
 
 /// Whether a symmetric A has no negative eigenvalue, up to rounding, with a unit diagonal.
-fn is_semidefinite(lcp: &Lcp) -> bool {
+///
+/// ```
+/// use lcplab_lcp::{Lcp, Matrix};
+/// use lcplab_solver::is_semidefinite;
+///
+/// let free = |a: [[f64; 2]; 2]| {
+///     Lcp::new(Matrix::from(a), vec![0.0; 2], vec![f64::NEG_INFINITY; 2], vec![f64::INFINITY; 2])
+/// };
+/// assert!(is_semidefinite(&free([[1.0, 1.0], [1.0, 1.0]])?)); // eigenvalues 0 and 2
+/// assert!(!is_semidefinite(&free([[0.0, 1.0], [1.0, 0.0]])?)); // eigenvalues −1 and 1
+/// # Ok::<(), lcplab_lcp::error::Error>(())
+/// ```
+pub fn is_semidefinite(lcp: &Lcp) -> bool {
     let (a, n) = (lcp.matrix(), lcp.len());
     let root: Vec<f64> = (0..n).map(|i| a.diagonal(i).sqrt()).collect();
     let is_zero = |i: usize| a.row(i).iter().all(|(_, entry)| entry == 0.0);

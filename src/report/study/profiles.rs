@@ -15,7 +15,7 @@ use crate::lcp::friction::ProblemForm;
 use crate::lcp::library;
 use crate::memory::Memory;
 use crate::report::methods;
-use crate::solver::{Entry, Method, Options, Registry, Settings};
+use crate::solver::{Entry, Method, Options, Registry, Settings, is_semidefinite};
 pub use lcplab_analysis::profiles::{
     Cost, FamilyAttempts, ProblemAttempts, Profile, costs, of_all, profiles,
 };
@@ -81,7 +81,8 @@ impl Study for Plan {
         let posed = |(lcp, impossible): (Lcp, bool)| {
             let at = |tolerance: &f64| self.attempts(&entries, &lcp, *tolerance);
             let attempts = self.tolerances.iter().map(at).collect();
-            ProblemAttempts { rows: lcp.len(), impossible, attempts }
+            let semidefinite = lcp.matrix().is_symmetric() && is_semidefinite(&lcp);
+            ProblemAttempts { rows: lcp.len(), impossible, semidefinite, attempts }
         };
         let problems = problems.into_iter().map(posed).collect();
         Ok((FamilyAttempts { family, problems }, ()))

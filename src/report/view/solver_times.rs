@@ -1,12 +1,14 @@
 //! Recorded times: the recommended solver, the times by size, and a table by problem.
 
+use std::collections::BTreeSet;
+
 use super::attempt::{listed, rough, tolerance};
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::{count, readable};
 use crate::plot::{Axis, Lines, Series};
 use crate::report::page::{Cell, Column, Mark, Table};
 use crate::report::study::posed::{FRICTION, Loaded, OfFamily, Source};
-use crate::report::study::solver_times::{NOISE, Plan, Recommended, Record, TimedProblem};
+use crate::report::study::solver_times::{Frames, NOISE, Plan, Recommended, Record, TimedProblem};
 use crate::solver::Pgs;
 
 /// Milliseconds in a second.
@@ -26,6 +28,7 @@ impl View for Plan {
                 readable(record.omega, 3)
             ));
             document.table("solver_times", all_times(record));
+            document.table("solved_frames", solved_frames(&record.frames));
         }
     }
 
@@ -43,7 +46,7 @@ impl View for Plan {
         let solved = findings.iter().filter_map(Record::recommended);
         let says = solved.map(|own| {
             format!(
-                "{} takes at most {} times the least time",
+                "{} solves all problems, in at most {} times the least time",
                 own.solver,
                 readable(own.worst.factor, 2)
             )
@@ -53,7 +56,7 @@ impl View for Plan {
     }
 }
 
-/// Which solver, why, and what the usual sweeps leave.
+/// Which solver, at which size, and what the usual sweeps leave.
 fn answer(record: &Record, recommended: &Recommended<'_>) -> String {
     let Recommended { solver, worst } = recommended;
     let stacks = || record.problems.iter().filter(|own| stack(own).is_some());
@@ -65,15 +68,15 @@ fn answer(record: &Record, recommended: &Recommended<'_>) -> String {
     let heavy = heaviest(record);
     format!(
         "**Use *{solver}*: it solves all {} measured problems, each in at most {} times the time of the fastest \
-         solver** ({}: *{}*).{}{} It takes {} times as long as ten sweeps of *pgs* (projected Gauss-Seidel), a typical budget of engines, which \
-         leave {}\u{a0}% of a stack's weight unsupported in the first step, or {}\u{a0}% with a top box {} times as heavy: a sweep passes load only from contact to \
-         contact.",
+         solver** ({}: *{}*).{}{} On a stack *{solver}* takes {} times as long as ten sweeps of *pgs* (projected Gauss-Seidel), a typical \
+         budget of engines, which leave {}\u{a0}% of the weight unsupported in the first step, or {}\u{a0}% with a top \
+         box {} times as heavy: a sweep passes load only from contact to contact.",
         record.problems.len(),
         readable(worst.factor, 2),
         named(&worst.problem.problem),
         worst.rival,
-        smaller(record, solver),
-        engines(record, solver),
+        by_rows(record, solver).unwrap_or_default(),
+        engines(&record.frames, solver),
         range(budget),
         left(1.0),
         left(heavy),
@@ -81,38 +84,43 @@ fn answer(record: &Record, recommended: &Recommended<'_>) -> String {
     )
 }
 
-/// What it solves of the recorded frames, and which solver solves most.
-fn engines(record: &Record, solver: &str) -> String {
-    let frames = &record.frames;
-    let solved = |solver: &str| frames.solved_by(solver).unwrap_or(0);
-    let safest = record.safest().filter(|safest| solved(safest) > solved(solver));
-    format!(
-        " Of {} frames recorded from engines, whose contacts also slide, it solves {}{}.",
-        frames.all,
-        solved(solver),
-        safest.map_or(String::new(), |safest| {
-            format!("; where it fails, take *{safest}*, which solves {}", solved(safest))
+/// From which size on it is the fastest on all stacks, and what is faster on smaller ones.
+fn by_rows(record: &Record, solver: &str) -> Option<String> {
+    let stacks = || record.problems.iter().filter(|own| stack(own).is_some());
+    let faster: Vec<(&TimedProblem, &str, f64)> = stacks()
+        .filter_map(|own| {
+            let (rival, seconds) = own.fastest_or(solver)?;
+            (rival != solver).then_some((own, rival, own.seconds(solver)? / seconds))
         })
-    )
+        .collect();
+    let most = faster.iter().map(|own| own.0.rows).max()?;
+    let from = stacks().map(|own| own.rows).filter(|rows| *rows > most).min()?;
+    let names: BTreeSet<&str> = faster.iter().map(|own| own.1).collect();
+    let names: Vec<String> = names.iter().map(|name| format!("*{name}*")).collect();
+    let factor = faster.iter().map(|own| own.2).fold(1.0, f64::max);
+    Some(format!(
+        " On stacks it is the fastest from {} rows on; on smaller ones {} can be up to {} times faster.",
+        count(from),
+        listed(&names).replace(" and ", " or "),
+        readable(factor, 2)
+    ))
 }
 
-/// On what another solver is faster.
-fn smaller(record: &Record, solver: &str) -> String {
-    let faster: Vec<_> = stacks_with(record, FRICTION, 1.0)
-        .take_while(|own| own.fastest_or(solver).is_some_and(|(fastest, _)| fastest != solver))
-        .collect();
-    let mut names: Vec<String> =
-        faster.iter().filter_map(|own| Some(format!("*{}*", own.fastest_or(solver)?.0))).collect();
-    names.dedup();
-    match faster.last() {
-        Some(last) => format!(
-            " On stacks of up to {} boxes ({} rows) {} is faster.",
-            stack(last).map_or(0, |own| own.boxes),
-            count(last.rows),
-            listed(&names)
-        ),
-        None => String::new(),
-    }
+/// What it solves of the recorded frames, and which solvers solve most.
+fn engines(frames: &Frames, solver: &str) -> String {
+    let with = |number: usize| -> Vec<String> {
+        let those = frames.solved.iter().filter(|own| own.1 == number);
+        those.map(|own| format!("*{}*", own.0)).collect()
+    };
+    let own = frames.solved_by(solver).unwrap_or(0);
+    let most = frames.solved.iter().map(|own| own.1).max().unwrap_or(0);
+    let others =
+        if own < most { format!(", {} {most}", listed(&with(most))) } else { String::new() };
+    format!(
+        " Of {} frames recorded from engines, whose contacts also slide, {} solve {own}{others}.",
+        frames.all,
+        listed(&with(own))
+    )
 }
 
 /// The times of all solvers on equal boxes with friction, by size.
@@ -133,10 +141,13 @@ fn by_size(record: &Record, recommended: &str) -> Lines {
         "solver_times_by_size",
         title(&stacks, recommended),
         format!(
-            "Equal boxes with friction, {} to a stack: time of a solve to a scaled residual of {}. A curve ends where the solver needs more than \
+            "Equal boxes with friction, {} to a stack: time of a solve to a scaled residual of {}; A is stored as dense up to {} rows. A curve ends where the solver needs more than \
              {} iterations. Ten sweeps of *pgs* leave {}\u{a0}% of the weight unsupported.",
             range(stacks.iter().filter_map(|own| Some(stack(own)?.boxes as f64))),
             tolerance(record.tolerance),
+            count(
+                stacks.iter().filter(|own| own.is_dense()).map(|own| own.rows).max().unwrap_or(0)
+            ),
             count(record.max_iterations),
             range(stacks.iter().filter_map(|own| Some(100.0 * own.ten_sweeps.unsupported?)))
         ),
@@ -159,7 +170,7 @@ fn title(stacks: &[&TimedProblem], recommended: &str) -> String {
         .rev()
         .find_map(|own| Some((own.rows, own.seconds(Pgs::NAME)? / own.seconds(recommended)?)));
     let slower = slower.map_or(String::new(), |(rows, times)| {
-        format!("; with {} rows pgs takes {} times as long", count(rows), rough(times))
+        format!("; with {} rows pgs takes {} times its time", count(rows), rough(times))
     });
     format!("Stacks with friction: {fastest}{slower}")
 }
@@ -203,14 +214,17 @@ fn which(record: &Record, recommended: &str) -> Table {
     }
 }
 
-/// Every second size of stacks, and all other problems.
+/// Of stacks every second size, without friction only equal boxes; and all other problems.
 fn shown(record: &Record) -> Vec<&TimedProblem> {
-    let boxes = |own: &TimedProblem| stack(own).map(|own| own.boxes);
-    let mut sizes: Vec<usize> = record.problems.iter().filter_map(boxes).collect();
+    let mut sizes: Vec<usize> =
+        record.problems.iter().filter_map(|own| Some(stack(own)?.boxes)).collect();
     sizes.sort_unstable();
     sizes.dedup();
     let is_shown = |own: &&TimedProblem| {
-        boxes(own).is_none_or(|boxes| sizes.iter().step_by(2).any(|size| *size == boxes))
+        stack(own).is_none_or(|own| {
+            (own.friction > 0.0 || own.ratio == 1.0)
+                && sizes.iter().step_by(2).any(|size| *size == own.boxes)
+        })
     };
     record.problems.iter().filter(is_shown).collect()
 }
@@ -220,18 +234,34 @@ fn all_times(record: &Record) -> Table {
     let solvers = record.problems.first().map_or(&[][..], |own| &own.solvers);
     let columns = solvers.iter().map(|own| Column::numbers(&*own.solver, "ms"));
     let row = |own: &TimedProblem| {
-        let times = own.solvers.iter().map(|own| time(own.seconds));
-        [Cell::text(named(&own.problem)), Cell::count(own.rows)].into_iter().chain(times).collect()
+        let times = own.solvers.iter().map(|own| own.seconds).chain([Some(own.ten_sweeps.seconds)]);
+        let first = [Cell::text(named(&own.problem)), Cell::count(own.rows)];
+        first.into_iter().chain(times.map(time)).collect()
     };
     let first = [Column::words("problem"), Column::numbers("rows", "")];
+    let columns = columns.chain([Column::numbers("ten sweeps", "ms")]);
     Table {
         title: "Time of each solver".into(),
         how_to_read: format!(
-            "In ms; –: no accepted answer within {} iterations.",
+            "In ms; –: no accepted answer within {} iterations. *ten sweeps*: of pgs.",
             count(record.max_iterations)
         ),
         columns: first.into_iter().chain(columns).collect(),
         rows: record.problems.iter().map(row).collect(),
+        ..Table::default()
+    }
+}
+
+/// The number of recorded frames that each solver solves.
+fn solved_frames(frames: &Frames) -> Table {
+    Table {
+        title: format!("Solved of {} recorded frames", frames.all),
+        how_to_read: format!(
+            "Steps recorded from engines (`reports/frames.toml`), under coupled boxes; at most {} iterations.",
+            count(frames.max_iterations)
+        ),
+        columns: frames.solved.iter().map(|own| Column::numbers(&*own.0, "")).collect(),
+        rows: vec![frames.solved.iter().map(|own| Cell::count(own.1)).collect()],
         ..Table::default()
     }
 }

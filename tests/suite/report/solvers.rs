@@ -76,11 +76,8 @@ fn the_results_are_the_same_every_time_but_for_the_clock() {
 fn the_top_of_the_page_names_the_cheapest_method_and_shows_the_cost_of_each() {
     let document = view::document(&small()).unwrap();
     let page = document.page.render().unwrap();
-    let opening =
-        "The problem is a stack of 2 boxes, the top one 3 times as heavy; dantzig is cheapest";
-    let from = page.find(opening).unwrap();
-    let words = &page[from..from + page[from..].find("</p>").unwrap()];
-    assert!(words.contains("ten sweeps of <em>pgs</em>"), "{words}");
+    let opening = "The problem is a stack of 2 boxes, the top one 3 times as heavy; dantzig needs the fewest multiplications";
+    assert!(page.contains(opening));
     let costs = document.figures.iter().find(|own| own.id().ends_with("_costs")).unwrap().csv();
     let names: Vec<&str> =
         costs.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();

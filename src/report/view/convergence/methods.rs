@@ -63,12 +63,8 @@ fn by_cost(progress: &Progress) -> Vec<&MethodProgress> {
 
 fn answer(progress: &Progress, first: &MethodProgress) -> String {
     let iterations = first.marks.last().map_or(0, |end| end.iteration);
-    let part = budget(progress).map_or(String::new(), |ten| {
-        let part = readable((100.0 * work(first) / ten).round(), 3);
-        format!(", {part}\u{a0}% of the work of ten sweeps of *pgs*")
-    });
     format!(
-        "The problem is a stack of {}; {} is cheapest: {}{part}.",
+        "The problem is a stack of {}; {} needs the fewest multiplications: {}.",
         in_words(&progress.problem),
         first.solver,
         iterations_in_words(&first.solver, iterations)

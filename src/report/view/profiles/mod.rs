@@ -13,7 +13,7 @@ use crate::report::study::profiles::{
 };
 use crate::report::study::solver_times::Record;
 use crate::report::study::trial::{self, Attempt};
-use crate::solver::{Dantzig, Entry, Group, Registry};
+use crate::solver::{Entry, Group, Registry};
 
 const PROFILE: &str = r"
 A performance profile (Dolan & Moré 2002) compares the solvers problem by problem. Let $t_{ps}$ be the cost of solver s on
@@ -94,13 +94,13 @@ impl Plan {
         let as_good = solvers.iter().filter(|solver| of_contacts(solver).0 == most).count();
         let record = Record::shipped().ok();
         let fast = record.as_ref().and_then(Record::recommended).map(|own| own.solver);
-        let fast =
-            fast.filter(|solver| of_contacts(solver).0 == most).map_or(String::new(), |solver| {
-                format!(" Among these choose by time: *{solver}* (`lcplab report`).")
-            });
+        let fast = fast.filter(|solver| of_contacts(solver).0 == most).map_or(String::new(), |solver| {
+            format!(" Among these, choose by measured time, and by frames recorded from engines: `lcplab report` takes *{solver}*.")
+        });
+        let of_kind = if most == all { "all of them".into() } else { most.to_string() };
         Some(format!(
             "**Use {} for an LCP of any kind: {} {best} of the {} problems that have a solution, the most of {} \
-             solvers{with}.** Contacts and joints have a symmetric semidefinite A; of the {all} problems of this kind {as_good} solvers solve {most}.{fast} \
+             solvers{with}.** Contacts and joints have a symmetric semidefinite A; of the {all} problems of this kind {as_good} solvers solve {of_kind}.{fast} \
              (Tolerance {}{others}.)",
             italic(&advised).join(" or "),
             if advised.len() == 1 { "it solves" } else { "each solves" },
@@ -261,7 +261,7 @@ impl Plan {
              the problem is outside its class. *claimed*: the solver reports a solution; *accepted* and \
              *proved*: the judge's verdicts on these claims; *rejected* must be 0. *failed*: attempted but not \
              claimed; the table of failures has the reasons. *semidefinite*: accepted answers to the problems \
-             that Dantzig's method supports, those with symmetric semidefinite A, such as contact problems. \
+             with symmetric semidefinite A, such as contact problems. \
              *no solution*: accepted answers to problems without a solution, which are possible only if they \
              cannot be distinguished from solvable ones at this precision.",
             "solver | #precision | #attempted | #outside | #claimed | #accepted | #proved | \
@@ -362,17 +362,15 @@ fn false_claims(tried: &[FamilyAttempts], solver: &str, tolerance: usize) -> usi
     attempts.filter(|a| a.solver == solver && a.outcome.is_solved()).count()
 }
 
-/// The number of accepted answers, and of all, among the solvable problems that Dantzig's method
-/// attempts.
+/// The number of accepted answers, and of all, among the solvable problems with symmetric
+/// semidefinite A.
 fn semidefinite(tried: &[FamilyAttempts], solver: &str, tolerance: usize) -> (usize, usize) {
-    let problems = tried.iter().flat_map(|family| &family.problems).filter(|p| !p.impossible);
-    let of = |attempts: &[Attempt], name: &str| attempts.iter().find(|a| a.solver == name).cloned();
-    let fit = problems.filter(|problem| {
-        let dantzig = of(&problem.attempts[tolerance], Dantzig::NAME);
-        dantzig.is_some_and(|attempt| attempt.outcome.is_attempt())
-    });
-    let solved: Vec<bool> = fit
-        .filter_map(|problem| of(&problem.attempts[tolerance], solver))
+    let problems = tried.iter().flat_map(|family| &family.problems);
+    let solved: Vec<bool> = problems
+        .filter(|problem| problem.semidefinite && !problem.impossible)
+        .filter_map(|problem| {
+            problem.attempts[tolerance].iter().find(|attempt| attempt.solver == solver)
+        })
         .map(|attempt| attempt.outcome.is_solved())
         .collect();
     (solved.iter().filter(|solved| **solved).count(), solved.len())
