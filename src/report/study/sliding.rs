@@ -104,10 +104,11 @@ pub struct Grip {
 }
 
 /// The models in the figures: on the block, all others coincide with one of these.
-pub const SHOWN: [Model; 4] = [
+pub const SHOWN: [Model; 5] = [
     Model::CoupledBox,
     Model::Polyhedral { directions: 4 },
     Model::Polyhedral { directions: 8 },
+    Model::Polyhedral { directions: 16 },
     Model::CoulombCone,
 ];
 

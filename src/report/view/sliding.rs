@@ -70,9 +70,9 @@ impl View for Plan {
             let (turned, models) = most_aside();
             let close = closest(study).map_or(String::new(), |(model, part)| {
                 format!(
-                    "; of these the best in Table 1, {model}, is off by {} and {}°",
+                    "; the best of these, {model}, is off by {} and {}°",
                     percent(part),
-                    readable(aside(model), 3)
+                    readable(aside(model), 4)
                 )
             });
             format!(
@@ -121,7 +121,7 @@ fn models(study: &Finding) -> Table {
         let held = held(study, *model).map(|part| Cell::number((100.0 * part).round(), 3));
         let aside = match aside(*model) {
             0.0 => Cell::count(0),
-            most => Cell { value: Some(most), ..Cell::text(format!("< {}", readable(most, 3))) },
+            most => Cell { value: Some(most), ..Cell::text(format!("< {}", readable(most, 4))) },
         };
         [Cell::text(model.to_string())].into_iter().chain(held).chain([aside]).collect()
     };
@@ -207,25 +207,19 @@ fn most_aside() -> (f64, String) {
     (most, models.map(|model| model.to_string()).collect::<Vec<_>>().join(", "))
 }
 
-/// How far each model stops the block from where Coulomb's law does.
+/// How far from where Coulomb's law stops the block the models with corners do.
 fn path_title(study: &Finding) -> String {
     let stop =
         |model: Model| study.paths.iter().find(|path| path.model == model).map(|path| path.stop);
-    let Some([x, y]) = stop(Model::CoulombCone) else { return "Paths of the block".into() };
-    let far = |model: &Model| {
-        let [a, b] = stop(*model).filter(|_| *model != Model::CoulombCone)?;
-        Some(((a - x).hypot(b - y), model.to_string()))
+    let far = |model: Model| {
+        let ([a, b], [x, y]) = (stop(model)?, stop(Model::CoulombCone)?);
+        Some((a - x).hypot(b - y))
     };
-    let mut far: Vec<(f64, String)> = SHOWN.iter().filter_map(far).collect();
-    far.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let far: Vec<String> = far
-        .iter()
-        .map(|(distance, model)| format!("{model} by {}\u{a0}m", readable(*distance, 2)))
-        .collect();
-    let [first, others @ ..] = &far[..] else { return "Paths of the block".into() };
-    let first = first.replacen(" by", " is off by", 1);
-    let all = std::iter::once(&first).chain(others).cloned().collect::<Vec<_>>().join(", ");
-    format!("Only coulomb-cone stops where Coulomb's law says: {all}")
+    let far = SHOWN.into_iter().filter(|model| aside(*model) > 0.0).filter_map(far);
+    let [least, most] =
+        far.fold([f64::INFINITY, 0.0], |[lo, hi], own| [f64::min(lo, own), f64::max(hi, own)]);
+    let [least, most] = [least, most].map(|own| readable(own, 2));
+    format!("Boxes and polygons miss Coulomb's stopping point by {least} to {most}\u{a0}m")
 }
 
 fn path_figure(study: &Finding) -> Lines {

@@ -187,6 +187,7 @@ const KNOWN: &[(&str, Rgb, usize, usize)] = &[
     ("coupled_box", VERMILION, 0, 1),
     ("polygon_4", OCHRE, 1, 3),
     ("polygon_8", PURPLE, 2, 4),
+    ("polygon_16", GREEN, 3, 2),
     ("coulomb_cone", BLUE, 0, 0),
     ("dense", BLACK, 0, 0),
     ("map_of_maps", VERMILION, 0, 1),
