@@ -13,7 +13,7 @@ use crate::number::{count, counted, readable};
 use crate::plot::{Axis, Figure, Lines, Panel, Series};
 use crate::report::page::{Cell, Column, Mark, Page, Table, markup};
 use crate::report::study::comparison::{
-    Comparison, HELD, LeftOut, Plan, Run, Sample, Timing, best,
+    Case, Comparison, HELD, LeftOut, Plan, Run, Sample, Timing, best,
 };
 use crate::scene::Scheme;
 use crate::solver::Status;
@@ -75,6 +75,10 @@ impl View for Plan {
             let (left, by) = (count(solves - claimed), self.given_up(findings).replace('*', ""));
             label += &format!("; {left} of {} problems are left unanswered{by}", count(solves));
         }
+        let none = listed(&self.without_problems(findings));
+        if !none.is_empty() {
+            label += &format!("; {none} pose none");
+        }
         let result = Some(([confirmed, claimed], label));
         let answer = self.held(findings);
         let figure = answer
@@ -116,9 +120,10 @@ impl Plan {
         let mut steps: Vec<_> = scenes.iter().map(|own| readable(own.dt, 3)).collect();
         steps.dedup();
         let held = format!(
-            "gaps and joints within {} % of a body's thickness in {all} (dt = {} s)",
+            "gaps and joints within {} % of a body's thickness in {all} (dt = {} s{})",
             readable(100.0 * HELD, 2),
-            listed(&steps)
+            listed(&steps),
+            self.without_feedback()
         );
         let schemes = counted(self.schemes.len(), "time-stepping scheme");
         let kept = matrix::kept(findings, &self.schemes);
@@ -140,6 +145,36 @@ impl Plan {
             "**Of {schemes} use {}: it keeps {held}.**{rivals} **Its limit**: its own errors reach {margin} % of this tolerance.",
             title(best)
         ))
+    }
+
+    /// The scenes that run without feedback of position errors, on which levels depend.
+    fn without_feedback(&self) -> String {
+        let is_off = |case: &&Case| {
+            let step = case.change.get("step");
+            let factor = step.and_then(|step| step.get("baumgarte"));
+            factor.and_then(toml::Value::as_integer) == Some(0)
+        };
+        let scenes: Vec<String> =
+            self.scenes.iter().filter(is_off).map(|own| own.scene.replace('_', " ")).collect();
+        match scenes.is_empty() {
+            true => String::new(),
+            false => format!(
+                "; {} without error feedback, which *velocity* and *acceleration* need against drift",
+                listed(&scenes)
+            ),
+        }
+    }
+
+    /// The schemes that pose no problem in any scene.
+    fn without_problems(&self, findings: &[Comparison]) -> Vec<String> {
+        let solves = |scheme: &Scheme| {
+            let runs = findings.iter().flat_map(|comparison| &comparison.runs);
+            runs.filter(|run| run.scheme == scheme.name())
+                .map(|run| run.tally.solves)
+                .sum::<usize>()
+        };
+        let schemes = self.schemes.iter().filter(|scheme| solves(scheme) == 0);
+        schemes.map(|scheme| scheme.name().to_string()).collect()
     }
 
     /// The schemes or solvers with problems without an answer, and the reason of a single one.
