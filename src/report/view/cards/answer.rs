@@ -107,7 +107,7 @@ pub fn cost(record: &Record) -> Table {
     Table::new(
         "Laws obeyed, and the wall time for one second of the tower",
         "Of the laws that an engine supports. The tower has ten cubes; each engine takes steps of its own length (Table 3); bodies that \
-         sleep cost little.",
+         sleep cost little. MuJoCo Warp and Newton are made for graphics processors; they ran on the main processor.",
         "engine | as installed | #time (s) | accurate settings | #time (s)",
         ways.filter(|(_, way)| way.name != DEFAULTS).map(row).collect(),
     )

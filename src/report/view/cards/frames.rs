@@ -6,7 +6,7 @@ use crate::number::readable;
 use crate::report::page::{Cell, Mark, Table};
 use crate::report::study::cards::{Frame, Record, SolverAttempt, SolverPart};
 use crate::report::view::ReportPage;
-use crate::report::view::attempt::iterations_in_words;
+use crate::report::view::attempt::{iterations_in_words, listed};
 
 /// Adds a section, if there are such problems.
 pub fn show(record: &Record, document: &mut ReportPage) {
@@ -45,9 +45,30 @@ fn answers(record: &Record) -> String {
             format!("The judge accepts all {all} answers of the engines to their own problems.")
         }
         false => format!(
-            "The judge accepts {accepted} of {all} answers of the engines to their own problems and rejects {rejected}."
+            "The judge accepts {accepted} of {all} answers of the engines to their own problems and rejects {rejected}.{}",
+            own_solvers(record)
         ),
     }
+}
+
+/// How many of the problems with a rejected answer lcplab's solvers solve.
+fn own_solvers(record: &Record) -> String {
+    let hard: Vec<&Frame> = record.frames.iter().filter(|frame| is_rejected(frame)).collect();
+    let mut solving: Vec<String> = Vec::new();
+    let mut solved = 0;
+    for frame in &hard {
+        let accepted = frame.solvers.iter().filter(|tried| tried.accepted);
+        let names: Vec<String> = accepted.map(|own| format!("*{}*", own.solver)).collect();
+        solved += usize::from(!names.is_empty());
+        solving.extend(names);
+    }
+    solving.sort();
+    solving.dedup();
+    let by = match solved {
+        0 => String::new(),
+        _ => format!(" (by {})", listed(&solving)),
+    };
+    format!(" Of these {} problems lcplab's solvers solve {solved}{by}.", hard.len())
 }
 
 fn is_rejected(frame: &Frame) -> bool {

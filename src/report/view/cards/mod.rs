@@ -4,6 +4,7 @@ mod answer;
 mod frames;
 mod phenomenon;
 
+use super::attempt::listed;
 use super::{Headline, Outcome, ReportPage, View};
 use crate::number::readable;
 use crate::plot::Figure;
@@ -173,9 +174,12 @@ fn heat(record: &Record) -> Grades {
     Grades {
         id: "cards_matrix".into(),
         title: format!("As installed, the engines obey the law in {held} of {all} tests"),
-        caption: "The name of a row leads to its law. A number is the largest violation in multiples of the tolerance, with k \
-                  for thousands; ✗: the run failed; –: the engine or its adapter does not support the scene."
-            .into(),
+        caption: format!(
+            "The name of a row leads to its law. A number is the largest violation in multiples of the tolerance, with k \
+             for thousands; ✗: the run failed; –: the engine or its adapter does not support the scene. Chosen on these \
+             scenes: the accurate settings of {} (Table 3), and the steps and stiffness of lcplab.",
+            listed(&chosen_here(record))
+        ),
         rows,
         has_counts: true,
         links,
@@ -186,6 +190,14 @@ fn heat(record: &Record) -> Grades {
             })
             .collect(),
     }
+}
+
+/// The engines whose accurate settings are the best of those that were tried on these scenes.
+fn chosen_here(record: &Record) -> Vec<String> {
+    let tried = |own: &&Engine| {
+        own.settings.iter().any(|way| way.name == ACCURATE && way.words.contains(" tried"))
+    };
+    record.engines.iter().filter(tried).map(|own| own.title.clone()).collect()
 }
 
 /// The tested releases of the external engines.
