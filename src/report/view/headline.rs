@@ -14,7 +14,8 @@ pub struct Headline {
     pub figure: Option<Box<dyn Figure>>,
     /// A table below the figure, with the name of its file.
     pub table: Option<(String, Table)>,
-    /// The number of its checks that succeed, the number of all, and what they check.
+    /// The number of its checks that succeed, the number of all, and what they check; `{left}` in it
+    /// becomes the number of the others.
     pub result: Option<([usize; 2], String)>,
 }
 
@@ -66,7 +67,8 @@ impl Top {
             |tile: &Tile| document.page.sections.iter().any(|own| own.id == tile.section);
         let tile = |([some, all], tile): ([usize; 2], Tile)| {
             let section = summary.filter(|_| !is_shown(&tile)).unwrap_or(&tile.section).into();
-            Tile { value: format!("{} of {}", count(some), count(all)), section, ..tile }
+            let label = tile.label.replace("{left}", &count(all - some));
+            Tile { label, value: format!("{} of {}", count(some), count(all)), section, ..tile }
         };
         let tiles: Vec<Tile> = self.results.into_iter().map(tile).collect();
         let lead = Some(lead.trim().to_string()).filter(|lead| !lead.is_empty());
