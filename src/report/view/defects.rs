@@ -20,11 +20,11 @@ impl View for Plan {
         let [rejected, compared, accepted, all] = counts(record);
         let others = match compared {
             0 => String::new(),
-            _ => format!(", {compared} more only in comparison with the corrected release"),
+            _ => format!("; {compared} more only in comparison with the corrected release"),
         };
         let answer = format!(
             "A *receipt* is lcplab's verification report of one step of an engine. **Receipts reject {rejected} of {all} \
-             releases with known defects**{others}."
+             releases with known defects**, each in a scene made to show its defect{others}."
         );
         let label = "corrected releases accepted".into();
         let result = Some(([accepted, all], label));
