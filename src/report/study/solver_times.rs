@@ -149,6 +149,7 @@ impl Record {
     /// let record = lcplab::report::study::solver_times::Record::shipped()?;
     /// let recommended = record.recommended().expect("a solver that solves all problems");
     /// assert_eq!(recommended.solver, "block-pivoting");
+    /// assert!(record.that_solve_all().all(|solver| solver != "pgs")); // it needs too many sweeps
     /// assert!(recommended.worst.factor < 5.0); // of the fastest solver's time, on any problem
     /// # Ok::<(), lcplab::error::Error>(())
     /// ```
@@ -162,19 +163,26 @@ impl Record {
         serde_json::from_str(SHIPPED).map_err(wrong)
     }
 
+    /// The solvers that solve every problem.
+    pub fn that_solve_all(&self) -> impl Iterator<Item = &str> {
+        let solvers = self.problems.first().map_or(&[][..], |own| &own.solvers);
+        let names = solvers.iter().map(|own| own.solver.as_str());
+        names.filter(|solver| self.problems.iter().all(|own| own.seconds(solver).is_some()))
+    }
+
     /// The solver that solves every problem, with the least factor of the fastest solver's time on
     /// its worst problem.
     pub fn recommended(&self) -> Option<Recommended<'_>> {
-        let solvers = self.problems.first()?.solvers.iter().map(|own| own.solver.as_str());
         let worst = |solver: &str| {
-            let factors = self.problems.iter().map(|problem| {
+            let factors = self.problems.iter().filter_map(|problem| {
                 let (rival, seconds) = problem.fastest()?;
                 Some(Worst { problem, rival, factor: problem.seconds(solver)? / seconds })
             });
-            let factors = factors.collect::<Option<Vec<_>>>()?;
-            factors.into_iter().max_by(|a, b| a.factor.total_cmp(&b.factor))
+            factors.max_by(|a, b| a.factor.total_cmp(&b.factor))
         };
-        let all = solvers.filter_map(|solver| Some(Recommended { solver, worst: worst(solver)? }));
+        let all = self
+            .that_solve_all()
+            .filter_map(|solver| Some(Recommended { solver, worst: worst(solver)? }));
         all.min_by(|a, b| a.worst.factor.total_cmp(&b.worst.factor))
     }
 }

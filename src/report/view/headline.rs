@@ -14,8 +14,8 @@ pub struct Headline {
     pub figure: Option<Box<dyn Figure>>,
     /// A table below the figure, with the name of its file.
     pub table: Option<(String, Table)>,
-    /// The number of its checks that succeed, the number of all, and what they check; `{left}` in it
-    /// becomes the number of the others.
+    /// The number of its checks that succeed, the number of all, and what they check, in which
+    /// `{left}` becomes the number of the others.
     pub result: Option<([usize; 2], String)>,
 }
 

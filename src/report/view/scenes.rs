@@ -31,7 +31,7 @@ impl View for Plan {
     fn headline(&self, findings: &[Finding]) -> Headline {
         let sum = |count: fn(&Tally) -> usize| findings.iter().map(|own| count(&own.tally)).sum();
         let label = "problems of these scenes answered, each answer accepted by an independent judge; {left} \
-                     left unanswered on purpose";
+                     left unanswered, as their texts explain";
         let result = Some(([sum(|own| own.accepted), sum(|own| own.solves)], label.into()));
         Headline { result, ..Headline::default() }
     }

@@ -78,7 +78,7 @@ impl View for Plan {
             format!(
                 "**Use {}: no other model here obeys Coulomb's law.** Friction of boxes and polygons points to a corner: they \
                  hold {} and turn friction by almost {turned:.0}° ({models}){close}. **The shipped scenes use *coupled-box***, \
-                 because every solver of boxed LCPs takes it, and few take cones: it is good enough where bodies slip along a \
+                 because every solver of boxed LCPs takes it, and few take cones: it is exact only for slip along a \
                  tangent{}.",
                 listed(&obeying(study)),
                 strength(study),

@@ -67,10 +67,11 @@ fn answer(record: &Record, recommended: &Recommended<'_>) -> String {
     };
     let heavy = heaviest(record);
     format!(
-        "**Use *{solver}*: it solves all {} measured problems, each in at most {} times the time of the fastest \
-         solver** ({}: *{}*).{}{} On a stack *{solver}* takes {} times as long as ten sweeps of *pgs* (projected Gauss-Seidel), a typical \
+        "**Use *{solver}*: of the {} solvers that solve all {} measured problems it stays closest to the fastest: it takes at most {} \
+         times as long** ({}: *{}*).{}{} On a stack *{solver}* takes {} times as long as ten sweeps of *pgs* (projected Gauss-Seidel), a typical \
          budget of engines, which leave {}\u{a0}% of the weight unsupported in the first step, or {}\u{a0}% with a top \
-         box {} times as heavy: a sweep passes load only from contact to contact.",
+         box {} times as heavy: a sweep passes load from one contact to the next, and the less of it the heavier the upper body is.",
+        record.that_solve_all().count(),
         record.problems.len(),
         readable(worst.factor, 2),
         named(&worst.problem.problem),

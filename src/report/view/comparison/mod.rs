@@ -142,7 +142,7 @@ impl Plan {
         });
         let margin = readable(100.0 * matrix::worst(findings, *best, matrix::error), 2);
         Some(format!(
-            "**Of {schemes} use {}: it keeps {held}.**{rivals} **Its limit**: its own errors reach {margin} % of this tolerance.",
+            "**Of {schemes} use {}: it keeps {held}.**{rivals} **Its limit**: its gaps and joints use {margin} % of their tolerance.",
             title(best)
         ))
     }

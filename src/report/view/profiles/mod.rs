@@ -94,9 +94,10 @@ impl Plan {
         let as_good = solvers.iter().filter(|solver| of_contacts(solver).0 == most).count();
         let record = Record::shipped().ok();
         let fast = record.as_ref().and_then(Record::recommended).map(|own| own.solver);
-        let fast = fast.filter(|solver| of_contacts(solver).0 == most).map_or(String::new(), |solver| {
-            format!(" Among these, choose by measured time, and by frames recorded from engines: `lcplab report` takes *{solver}*.")
-        });
+        let fast =
+            fast.filter(|solver| of_contacts(solver).0 == most).map_or(String::new(), |solver| {
+                format!(" Among these choose by measured time (`lcplab report`): *{solver}*.")
+            });
         let of_kind = if most == all { "all of them".into() } else { most.to_string() };
         Some(format!(
             "**Use {} for an LCP of any kind: {} {best} of the {} problems that have a solution, the most of {} \
