@@ -17,6 +17,8 @@ pub fn schema() -> Value {
     for kind in KINDS {
         let settings = (kind.schema)(&mut generator).to_value();
         let mut section = joined(&head, settings);
+        let required = section["required"].as_array().cloned().unwrap_or_default();
+        section["required"] = std::iter::once("study".into()).chain(required).collect();
         section["properties"]["study"] = json!({ "const": kind.name, "description": kind.title });
         sections.push(section);
     }
@@ -33,9 +35,6 @@ fn joined(head: &Value, mut settings: Value) -> Value {
     let own = settings["properties"].take();
     let keys = [&head["properties"], &own].into_iter().filter_map(Value::as_object).flatten();
     settings["properties"] = keys.map(|(key, value)| (key.clone(), value.clone())).collect();
-    let required = settings["required"].as_array().cloned().unwrap_or_default();
-    let study = own.is_object().then(|| "study".into());
-    settings["required"] = study.into_iter().chain(required).collect();
     settings["additionalProperties"] = false.into();
     settings
 }
